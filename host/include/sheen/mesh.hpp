@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Triangle meshes: imported through assimp, or built in.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace sheen {
+
+/// A triangle mesh in its own units. `normals` has one unit vector per position; triangles index both.
+struct Mesh {
+    std::string name;
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::dvec3> normals;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// The mesh's bounding sphere: centre of the axis-aligned box, radius to the farthest vertex used by a triangle.
+struct BoundingSphere {
+    glm::dvec3 centre{0.0};
+    double radius = 0.0;
+};
+
+/// Loads `source`: a file (OBJ), or one of builtin_mesh_names(). Files without normals get area-weighted smooth ones.
+/// \throws Error naming the file and what is wrong (missing, unreadable, no triangles, a coordinate that is not
+///         finite, an index out of range); UsageError for an unknown `builtin:` name.
+Mesh load_mesh(const std::string& source);
+
+/// `builtin:sphere-168`, `builtin:sphere-374`, `builtin:sphere-690`, `builtin:torus-knot`, `builtin:teapot`.
+std::vector<std::string> builtin_mesh_names();
+
+/// Makes a built-in mesh by its full name (`builtin:…`). \throws UsageError for an unknown one.
+Mesh make_builtin_mesh(const std::string& name);
+
+BoundingSphere bounding_sphere(const Mesh& mesh);
+
+}  // namespace sheen

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Exact coverage (contract 2) in integers: snapped vertices, the top-left rule, and the walk that a device follows.
+/// The formulas are those of docs/architecture.md, "Coverage"; y points down, pixel (x, y) has its centre at (x+½, y+½).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace sheen {
+
+/// A point in 1/256 pixel.
+struct SnappedPoint {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    friend bool operator==(const SnappedPoint& a, const SnappedPoint& b) { return a.x == b.x && a.y == b.y; }
+};
+
+/// Doubled signed area in (1/256 px)²; positive when a, b, c turn clockwise on screen (y down).
+std::int64_t doubled_area(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c);
+
+/// One edge's phase accumulator: P and step of 2^32 fractions; the adder's carry-out is the Bresenham choice.
+struct EdgePhase {
+    std::uint32_t phase = 0;
+    std::uint32_t step = 0;
+};
+
+/// The geometry of one triangle packet: what the edge walker is loaded with.
+/// Signed fields (kappa, m, m_below) are kept signed here and encoded modulo 2^12.
+struct TriangleWalk {
+    int x = 0;                 ///< first pixel of the first row (in the span's direction)
+    int y = 0;                 ///< first row
+    int rows_above = 0;        ///< rows before the middle vertex
+    int rows_below = 0;        ///< rows after it
+    int kappa = 0;             ///< whole step of u = s·x on the long edge, per row
+    int length = 0;            ///< span length of the first row
+    int m = 0;                 ///< κ_end − κ before the middle vertex
+    int length_reload = 0;     ///< span length of the first row after the middle vertex
+    int m_below = 0;           ///< κ_end − κ after it
+    bool leftward = false;     ///< s = −1: the long edge is on the right, spans run left
+    EdgePhase long_edge, upper, lower;
+};
+
+/// The walk of a triangle given in any winding. Leading and trailing empty rows are trimmed; inner empty rows stay.
+/// Returns nothing when no pixel centre is covered. Points must lie in [0, 4095·256].
+std::optional<TriangleWalk> walk_triangle(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c);
+
+/// Calls span(x, y, length, step) for each non-empty row of the walk, in the device's order; step is ±1, and the
+/// row's pixels are x, x+step, …  This is a device's geometry in plain arithmetic: carries by the phases.
+void for_each_span(const TriangleWalk& walk, const std::function<void(int x, int y, int length, int step)>& span);
+
+}  // namespace sheen

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// From mesh to screen: camera, visibility of faces, snapping and clipping.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "sheen/lighting.hpp"
+#include "sheen/mesh.hpp"
+#include "sheen/raster.hpp"
+
+namespace sheen {
+
+/// Everything that a picture depends on. Conventions: right-handed eye space, camera looking along −Z, +Y up, front
+/// faces counter-clockwise; the mesh's bounding sphere (radius r) is moved to (0, 0, −4r) and fills 0.9 of the image's
+/// height; depth maps −3r…−5r to [1, 65534].
+struct Scene {
+    Mesh mesh;
+    Material material;
+    std::vector<DirectionalLight> lights;
+    glm::dvec3 rotate_degrees{0.0};  ///< about x, then y, then z, about the bounding sphere's centre
+    int width = 512;                 ///< 1…4095
+    int height = 512;                ///< 1…4095
+    bool two_sided = false;          ///< keep back faces, with their normals flipped
+};
+
+/// A vertex on the screen with what shading needs.
+struct ScreenVertex {
+    SnappedPoint point;            ///< 1/256 px, y down
+    double depth = 0.0;            ///< 16-bit depth, 1…65534, 0 would be nearest; linear on screen
+    glm::dvec3 position{0.0};      ///< eye space
+    glm::dvec3 normal{0.0};        ///< eye space, unit
+};
+
+/// A front-facing triangle (or a flipped back face) that may touch the image. `vertices` is the unclipped triangle: it
+/// defines the shading polynomial. `pieces` are the triangles that remain after clipping to the image and snapping
+/// again: they define coverage. A triangle inside the image is its own single piece.
+struct ScreenTriangle {
+    std::array<ScreenVertex, 3> vertices;
+    glm::dvec3 face_normal{0.0};  ///< eye space, unit, on the visible side
+    std::vector<std::array<SnappedPoint, 3>> pieces;
+};
+
+/// Projects, culls, snaps and clips. The order is the mesh's.
+/// \throws UsageError for an impossible size, Error for a mesh whose radius is 0 or not finite.
+std::vector<ScreenTriangle> project(const Scene& scene);
+
+/// Clips a snapped triangle to [0, 256·width] × [0, 256·height] and triangulates what is left. Intersections are computed from
+/// the endpoints in a canonical order, so that two triangles sharing an edge clip it to the same point.
+std::vector<std::array<SnappedPoint, 3>> clip_to_image(const std::array<SnappedPoint, 3>& triangle, int width,
+                                                       int height);
+
+/// Unit vector from a surface point towards the eye: (0, 0, 1) for the orthographic camera.
+glm::dvec3 to_eye(const Scene& scene, const glm::dvec3& position);
+
+}  // namespace sheen
