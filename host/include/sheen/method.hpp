@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Shading methods: how colour varies over a triangle, as a polynomial in double precision and as the six integers
-/// per channel of contract 1.
+/// Shading methods: how colour varies over a triangle, as polynomials and as the words of contract 1.
 #pragma once
 
 #include <array>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sheen/polynomial.hpp"
 #include "sheen/raster.hpp"
 #include "sheen/scene.hpp"
 
@@ -26,29 +26,6 @@ Method parse_method(const std::string& word);
 /// True when devices can draw it (packets exist); false for references such as `phong`.
 bool has_packets(Method method);
 
-/// A two-variate quadratic T₅X² + T₄XY + T₃Y² + T₂X + T₁Y + T₀ (paper `quadratic`, eq. 4) in whole pixels relative to
-/// pixel (origin_x, origin_y), sampled at pixel centres: X = x − origin_x gives the value at the centre of pixel x.
-/// Coefficients are quadruple precision where a sliver needs it (see docs/number-formats.md).
-struct Polynomial {
-    std::array<long double, 6> t{};
-    int origin_x = 0;
-    int origin_y = 0;
-    /// Value at the centre of pixel (x, y).
-    [[nodiscard]] double at(int x, int y) const;
-};
-
-/// The six words {I, D, E, h, dD, dE} of a channel, modulo 2^32.
-struct ChannelWords {
-    std::array<std::uint32_t, 6> words{};
-    friend bool operator==(const ChannelWords& a, const ChannelWords& b) { return a.words == b.words; }
-};
-
-/// Closed form of contract 1: I + u·D + j·E + C(u,2)·h + u·j·dD + C(j,2)·dE modulo 2^32, u counted from κ·j on row j.
-std::uint32_t channel_value(const ChannelWords& channel, std::int64_t u, std::int64_t j);
-
-/// Rounds a polynomial once to `fraction_bits`, adds ½ when `round_half`, and derives the six words at the walk's start pixel exactly.
-ChannelWords channel_words(const Polynomial& polynomial, const TriangleWalk& walk, int fraction_bits, bool round_half);
-
 /// What the host computes per triangle: the red, green and blue polynomials (in 8-bit steps) and depth.
 struct TriangleShading {
     std::array<Polynomial, 3> colour;
@@ -56,7 +33,14 @@ struct TriangleShading {
     bool linear = false;  ///< the colour polynomials have no second-order term
 };
 
-/// Setup of a packet-capable method for one triangle (paper `quadratic`, section 3, in barycentric form). \throws Error for `phong`.
+/// The normal in the middle of an edge: the mean of its ends' unit normals, normalised. Where the mean vanishes
+/// (opposite normals) every perpendicular is equally near: the one that faces `eye` most is taken, or `eye` itself when
+/// the normals lie along it. Symmetric in a and b to the bit, so that neighbours agree.
+glm::dvec3 midpoint_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& eye);
+
+/// Colour and depth of one triangle, from its unclipped, snapped vertices. Nodes are clamped to ±306 and shaded with
+/// shade(): `flat` at the centroid with the face normal; `gouraud` at the vertices; `quadratic` (paper `quadratic`,
+/// section 3) at the vertices and in the middle of the edges, with midpoint_normal(). \throws Error for `phong`.
 TriangleShading shade_triangle(Method method, const Scene& scene, const ScreenTriangle& triangle);
 
 /// A triangle as a device gets it, in fields.
@@ -68,7 +52,9 @@ struct TriangleSetup {
     std::optional<ChannelWords> depth;
 };
 
-/// All setups of a scene, in drawing order: one per clipped piece that covers a pixel.
+/// All setups of a scene, in drawing order: one per clipped piece that covers a pixel. The polynomial is the unclipped
+/// triangle's, rounded about the centre of the piece's bounding box; ½ is folded into colour and depth.
+/// \throws Error for `phong` when a pixel is covered.
 std::vector<TriangleSetup> make_setups(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles);
 
 }  // namespace sheen

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The packet protocol (docs/packet-protocol.md): setups to 32-bit words, 64-bit words to pixels and messages, and both as files.
+/// The packet protocol (docs/packet-protocol.md): setups to 32-bit words, 64-bit words to pixels and messages, and both
+/// as files.
 #pragma once
 
 #include <cstddef>
@@ -47,7 +48,8 @@ bool is_message(std::uint64_t word);
 /// A message in words: "error 2 (bad length) for header 0x03010001", "fence 7", "query reply …".
 std::string describe_message(std::uint64_t word);
 
-/// Reads a packet file: little-endian 32-bit words. \throws Error naming the file when it is missing, unreadable or its size is no multiple of 4.
+/// Reads a packet file: little-endian 32-bit words. \throws Error naming the file when it is missing, unreadable or its
+/// size is no multiple of 4.
 std::vector<std::uint32_t> read_packet_file(const std::string& path);
 /// Writes whole or not at all (temporary name, then rename). \throws Error naming the file.
 void write_packet_file(const std::string& path, const std::vector<std::uint32_t>& words);

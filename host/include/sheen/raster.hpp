@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Exact coverage (contract 2) in integers: snapped vertices, the top-left rule, and the walk that a device follows.
-/// The formulas are those of docs/architecture.md, "Coverage"; y points down, pixel (x, y) has its centre at (x+½, y+½).
+/// The formulas are those of docs/architecture.md, "Coverage"; y points down, pixel (x, y) has its centre at (x+½,
+/// y+½).
 #pragma once
 
 #include <array>
@@ -30,25 +31,41 @@ struct EdgePhase {
 /// The geometry of one triangle packet: what the edge walker is loaded with.
 /// Signed fields (kappa, m, m_below) are kept signed here and encoded modulo 2^12.
 struct TriangleWalk {
-    int x = 0;                 ///< first pixel of the first row (in the span's direction)
-    int y = 0;                 ///< first row
-    int rows_above = 0;        ///< rows before the middle vertex
-    int rows_below = 0;        ///< rows after it
-    int kappa = 0;             ///< whole step of u = s·x on the long edge, per row
-    int length = 0;            ///< span length of the first row
-    int m = 0;                 ///< κ_end − κ before the middle vertex
-    int length_reload = 0;     ///< span length of the first row after the middle vertex
-    int m_below = 0;           ///< κ_end − κ after it
-    bool leftward = false;     ///< s = −1: the long edge is on the right, spans run left
+    int x = 0;              ///< first pixel of the first row (in the span's direction)
+    int y = 0;              ///< first row
+    int rows_above = 0;     ///< rows before the middle vertex
+    int rows_below = 0;     ///< rows after it
+    int kappa = 0;          ///< whole step of u = s·x on the long edge, per row
+    int length = 0;         ///< span length of the first row
+    int m = 0;              ///< κ_end − κ before the middle vertex
+    int length_reload = 0;  ///< span length of the first row after the middle vertex
+    int m_below = 0;        ///< κ_end − κ after it
+    bool leftward = false;  ///< s = −1: the long edge is on the right, spans run left
     EdgePhase long_edge, upper, lower;
 };
 
 /// The walk of a triangle given in any winding. Leading and trailing empty rows are trimmed; inner empty rows stay.
-/// Returns nothing when no pixel centre is covered. Points must lie in [0, 4095·256].
+/// Returns nothing when no pixel centre is covered. Fields of a part without rows are 0.
+/// \throws Error when a coordinate lies outside [0, 4095·256].
 std::optional<TriangleWalk> walk_triangle(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c);
 
-/// Calls span(x, y, length, step) for each non-empty row of the walk, in the device's order; step is ±1, and the
-/// row's pixels are x, x+step, …  This is a device's geometry in plain arithmetic: carries by the phases.
+/// One row of a walk, as a device sees it: x, y and length in 0…4095.
+struct WalkRow {
+    int x = 0;  ///< first pixel, in the span's direction
+    int y = 0;
+    int length = 0;   ///< pixels; 0 for an empty row
+    int row = 0;      ///< rows before this one: the j of contract 1
+    int carries = 0;  ///< carries of the long edge so far: the u of contract 1 at the row's first pixel
+};
+
+/// Calls `visit` for each row of the walk, empty ones included, in the device's order. This is a device's geometry in
+/// plain arithmetic, defined for any fields: x, y, length and their steps are taken modulo 2^12, carries come from
+/// the phases modulo 2^32, and the first row below the middle vertex reloads length, step and the end edge's phase.
+void for_each_row(const TriangleWalk& walk, const std::function<void(const WalkRow& row)>& visit);
+
+/// Calls span(x, y, length, step) for each non-empty row of for_each_row; step is ±1, and the row's pixels are
+/// x, x+step, … modulo 2^12. A device leaves out the pixels at x = 4095 (messages have that x); walks of triangles
+/// never reach them.
 void for_each_span(const TriangleWalk& walk, const std::function<void(int x, int y, int length, int step)>& span);
 
 }  // namespace sheen

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Contract 1: a channel is an exact polynomial. Quadratics over the screen (paper `quadratic`, eq. 4), fitted to a
+/// triangle's nodes, rounded once, and turned into the six words that devices step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sheen/raster.hpp"
+
+namespace sheen {
+
+/// Quadruple precision (113-bit significand). Slivers that still cover a pixel centre have coefficients up to 2^90
+/// whose terms cancel down to 8-bit steps: double is wrong by hundreds of steps there.
+#if __LDBL_MANT_DIG__ >= 113
+using Coefficient = long double;
+#else
+using Coefficient = __float128;
+#endif
+
+/// A two-variate quadratic T₅X² + T₄XY + T₃Y² + T₂X + T₁Y + T₀ (paper `quadratic`, eq. 4) in whole pixels relative to
+/// pixel (origin_x, origin_y), sampled at pixel centres: X = x − origin_x gives the value at the centre of pixel x.
+struct Polynomial {
+    std::array<Coefficient, 6> t{};  ///< T₀…T₅
+    int origin_x = 0;
+    int origin_y = 0;
+    /// Value at the centre of pixel (x, y).
+    [[nodiscard]] double at(int x, int y) const;
+    /// The same function about another origin.
+    [[nodiscard]] Polynomial recentred(int x, int y) const;
+};
+
+/// A pixel, by its indices.
+struct PixelIndex {
+    int x = 0;
+    int y = 0;
+};
+
+/// The pixel that holds the bounding box's centre: rounding coefficients about it costs the least.
+PixelIndex centre_pixel(const std::array<SnappedPoint, 3>& triangle);
+
+/// The linear function with the given values at the vertices; a constant, their mean, when the triangle has no area.
+Polynomial fit_linear(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 3>& values);
+
+/// The quadratic with the given values at vertices 0, 1, 2 and at the midpoints of edges 01, 12, 20 (paper
+/// `quadratic`, section 3), about centre_pixel(). Solved in barycentric form: one division, by the doubled area, so
+/// that no edge is special. The printed T₃, T₄, T₅ are singular when edge 12 of the paper is horizontal.
+/// A constant, the mean of the values, when the triangle has no area.
+Polynomial fit_quadratic(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 6>& values);
+
+/// The six words {I, D, E, h, dD, dE} of a channel, modulo 2^32.
+struct ChannelWords {
+    std::array<std::uint32_t, 6> words{};
+    friend bool operator==(const ChannelWords& a, const ChannelWords& b) { return a.words == b.words; }
+};
+
+/// Closed form of contract 1: I + u·D + j·E + C(u,2)·h + u·j·dD + C(j,2)·dE modulo 2^32, u counted from κ·j on row j.
+std::uint32_t channel_value(const ChannelWords& channel, std::int64_t u, std::int64_t j);
+
+/// Rounds each coefficient once to `fraction_bits` (nearest, modulo 2^32), adds ½ when `round_half`, and derives the
+/// six words at the walk's start pixel exactly. At pixel (x, y) the channel then differs from the polynomial (plus ½)
+/// by at most ½·(1 + |X| + |Y| + X² + |XY| + Y²)·2^−fraction_bits, X and Y counted from the polynomial's origin.
+ChannelWords channel_words(const Polynomial& polynomial, const TriangleWalk& walk, int fraction_bits, bool round_half);
+
+}  // namespace sheen
