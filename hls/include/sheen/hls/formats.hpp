@@ -12,6 +12,8 @@ namespace sheen::hls {
 // ---- Protocol -----------------------------------------------------------------------------------------------
 /// Version of the packet protocol, as a core reports it to a query.
 inline constexpr int protocol_version = 1;
+/// Version of the cores: major · 2^16 + minor · 2^8 + patch.
+inline constexpr int core_version = 0x000100;
 /// A stream word; word k of a beat is bits 32k+31…32k.
 inline constexpr int word_bits = 32;
 /// A pixel or message word on the output stream.
@@ -50,6 +52,8 @@ inline constexpr int query_reply_words = 4;
 // ---- Geometry -----------------------------------------------------------------------------------------------
 /// x, y, row counts, span lengths and their steps: 12-bit fields, modulo 2^12.
 inline constexpr int coordinate_bits = 12;
+/// Greatest width and height of a triangle that the full formats serve, in pixels.
+inline constexpr int max_extent = 4095;
 /// Fraction bits of a snapped vertex coordinate: 1/256 pixel.
 inline constexpr int subpixel_bits = 8;
 /// Phase accumulators of the edge walker; 32 serve 4095 rows (docs/number-formats.md).
@@ -90,8 +94,12 @@ inline constexpr int depth_bits = 16;
 // ---- Queues ---------------------------------------------------------------------------------------------------
 /// Spans that the edge walker may be ahead of the span walker (log₂).
 inline constexpr int span_queue_log2 = 4;
+/// Places kept free for what the edge walker has under way when it sees the queue full.
+inline constexpr int span_queue_reserve = 2;
 /// Pixels between the colour stage and the output stream (log₂).
 inline constexpr int pixel_queue_log2 = 5;
+/// Places kept free for the fragments under way when the span walker is stopped.
+inline constexpr int pixel_queue_reserve = 10;
 
 // ---- Paper `spherical`: line interpolator and bell ROM, preset `paper` ------------------------------------------
 inline constexpr int paper_phase_bits = 12;

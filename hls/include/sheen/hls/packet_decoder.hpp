@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// packet_decoder: beats of the setup stream in, jobs (triangles and messages) out, in order.
+///
+/// One step is one clock. While a triangle is drawn, the words of the next one fill `words` (double-buffered setup);
+/// a complete packet raises job.valid until the edge walker takes it. The header of the packet after that is taken in
+/// the meantime, so a stream that is never late costs no clock between packets.
+///
+/// Framing: every beat but the last is full, the last one holds exactly the words that the header announces and carries
+/// `last`. Anything else, an unknown opcode, or a length or flag that the core can't serve gives one message and is
+/// skipped up to the next `last`; what stands before and after it is not touched.
+///
+/// Formats: docs/packet-protocol.md. Latency: 1. Source: Sheen's own protocol.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "sheen/hls/types.hpp"
+
+namespace sheen::hls {
+
+/// \tparam words_per_beat stream width in words: 1, 2 or 4
+/// \tparam has_depth      the core has a depth channel
+/// \tparam has_quadratic  the core has second-order colour channels
+template <int words_per_beat, bool has_depth, bool has_quadratic>
+struct packet_decoder {
+    static_assert(words_per_beat == 1 || words_per_beat == 2 || words_per_beat == 4,
+                  "stream width: 32, 64 or 128 bits");
+
+    static constexpr int beat_shift = words_per_beat == 4 ? 2 : words_per_beat == 2 ? 1 : 0;
+    static constexpr int channel_base = geometry_words + phase_words;
+    static constexpr int channel_words = has_quadratic ? quadratic_words : linear_words;
+    /// Registers, in order: geometry, phases, colour channels of channel_words each, depth.
+    static constexpr int depth_base = channel_base + colour_channels * channel_words;
+    static constexpr int register_count = depth_base + (has_depth ? linear_words : 0);
+    static constexpr int beat_index_bits = 6;
+
+    enum phase_of_packet { expect_header, payload, message, skip };
+
+    struct beat_t {
+        bit_t valid = 0;
+        bit_t last = 0;
+        ac_int<words_per_beat, false> keep = 0;  ///< bit k: word k is present
+        word_t words[words_per_beat];
+    };
+
+    struct state_t {
+        ac_int<2, false> phase = expect_header;
+        ac_int<beat_index_bits, false> beat_index = 0;
+        ac_int<2, false> code = 0;  ///< of the message under way
+        bit_t skip_after = 0;       ///< the packet's last beat is still to come
+        word_t header = 0;
+        word_t held[words_per_beat];  ///< payload words of the header's beat; they wait until the job before is taken
+        job_t job;
+        word_t words[register_count];
+    };
+
+    /// True when the beat offered in this clock is taken.
+    static bit_t ready(const state_t& state) {
+        const bit_t waits = bit_t(state.phase == payload) & state.job.valid;
+        return ~waits & bit_t(state.phase != message);
+    }
+
+    /// \param taken the edge walker takes state.job in this clock
+    static state_t step(const state_t& state, const beat_t& beat, bit_t taken) {
+        state_t next = state;
+        const bit_t accept = beat.valid & ready(state);
+        const bit_t header_beat = accept & bit_t(state.phase == expect_header);
+        const bit_t payload_beat = accept & bit_t(state.phase == payload);
+        const bit_t emit = bit_t(state.phase == message) & ~state.job.valid;
+        const bit_t skip_beat = accept & bit_t(state.phase == skip);
+
+        // What the header says.
+        const word_t header = beat.words[0];
+        const bit_t header_triangle = bit_t(opcode(header) == opcode_triangle);
+        const ac_int<2, false> header_code = classify(header);
+        const bit_t whole =
+            select(header_triangle, bit_t(~beat.last & full(beat)), bit_t(beat.last & bit_t(beat.keep == 1)));
+        const bit_t header_good = bit_t(header_code == 0) & whole;
+        const bit_t begin = header_beat & header_triangle & header_good;
+
+        // What the payload's framing says.
+        const length_t length = state.header.template slc<header_length_bits>(0);
+        const bit_t at_final = bit_t(state.beat_index == ac_int<beat_index_bits, false>(length >> beat_shift));
+        const bit_t complete = payload_beat & at_final & beat.last & bit_t(beat.keep == final_keep(length));
+        const bit_t proceed = payload_beat & ~at_final & ~beat.last & full(beat);
+        const bit_t broken = payload_beat & ~complete & ~proceed;
+
+        const bit_t to_message = (header_beat & ~begin) | broken;
+        const ac_int<2, false> bad_length = error_bad_length;
+        const ac_int<2, false> framing_code = select(whole, ac_int<2, false>(0), bad_length);
+        const ac_int<2, false> message_code =
+            select(broken, bad_length, select(bit_t(header_code == 0), framing_code, header_code));
+
+        next.phase = select(begin | proceed, phase_t2(payload), next.phase);
+        next.phase = select(to_message, phase_t2(message), next.phase);
+        next.phase = select(complete | (skip_beat & beat.last), phase_t2(expect_header), next.phase);
+        next.phase = select(emit, select(state.skip_after, phase_t2(skip), phase_t2(expect_header)), next.phase);
+        next.code = select(to_message, message_code, state.code);
+        next.skip_after = select(to_message, bit_t(~beat.last), state.skip_after);
+        next.header = select(header_beat, header, state.header);
+        next.beat_index = select(header_beat, ac_int<beat_index_bits, false>(1),
+                                 ac_int<beat_index_bits, false>(state.beat_index + payload_beat));
+
+        next.job.valid = (state.job.valid & ~taken) | complete | emit;
+        next.job.message = select(emit, bit_t(1), select(complete, bit_t(0), state.job.message));
+        next.job.code = select(emit, state.code, state.job.code);
+        next.job.header = select(emit, state.header, state.job.header);
+        next.job.leftward = select(complete, bit_t(state.header[flag_leftward_bit]), state.job.leftward);
+        next.job.linear = select(complete, bit_t(state.header[flag_linear_bit]), state.job.linear);
+        next.job.depth = select(complete, bit_t(state.header[flag_depth_bit]), state.job.depth);
+
+        hold(next, beat, header_beat, std::make_index_sequence<words_per_beat>{});
+        store(next, state, beat, payload_beat, std::make_index_sequence<register_count>{});
+        return next;
+    }
+
+    /// The geometry fields out of the first ten registers.
+    static geometry_t geometry(const state_t& state) {
+        ac_int<geometry_words * word_bits, false> packed = 0;
+        packed.set_slc(0, state.words[0]);
+        packed.set_slc(word_bits, state.words[1]);
+        packed.set_slc(2 * word_bits, state.words[2]);
+        packed.set_slc(3 * word_bits, state.words[3]);
+        geometry_t fields;
+        fields.x = packed.template slc<coordinate_bits>(0);
+        fields.y = packed.template slc<coordinate_bits>(coordinate_bits);
+        fields.rows_above = packed.template slc<coordinate_bits>(2 * coordinate_bits);
+        fields.rows_below = packed.template slc<coordinate_bits>(3 * coordinate_bits);
+        fields.kappa = packed.template slc<coordinate_bits>(4 * coordinate_bits);
+        fields.length = packed.template slc<coordinate_bits>(5 * coordinate_bits);
+        fields.m = packed.template slc<coordinate_bits>(6 * coordinate_bits);
+        fields.length_reload = packed.template slc<coordinate_bits>(7 * coordinate_bits);
+        fields.m_below = packed.template slc<coordinate_bits>(8 * coordinate_bits);
+        fields.long_phase = state.words[geometry_words];
+        fields.long_step = state.words[geometry_words + 1];
+        fields.upper_phase = state.words[geometry_words + 2];
+        fields.upper_step = state.words[geometry_words + 3];
+        fields.lower_phase = state.words[geometry_words + 4];
+        fields.lower_step = state.words[geometry_words + 5];
+        return fields;
+    }
+
+ private:
+    using phase_t2 = ac_int<2, false>;
+    using length_t = ac_int<header_length_bits, false>;
+    using keep_t = ac_int<words_per_beat, false>;
+
+    static ac_int<8, false> opcode(const word_t& header) { return header.template slc<8>(header_opcode_lsb); }
+
+    static bit_t full(const beat_t& beat) { return bit_t(beat.keep == (1 << words_per_beat) - 1); }
+
+    /// Presence of the words of the last beat: word number `length` (the header is word 0) is the last one.
+    static keep_t final_keep(const length_t& length) {
+        const ac_int<3, false> lane = length & (words_per_beat - 1);
+        return keep_t((ac_int<5, false>(2) << lane) - 1);
+    }
+
+    /// 0, or the error code that a header deserves by itself.
+    static ac_int<2, false> classify(const word_t& header) {
+        using code_t = ac_int<2, false>;
+        const ac_int<8, false> op = opcode(header);
+        const length_t length = header.template slc<header_length_bits>(0);
+        const bit_t linear = header[flag_linear_bit];
+        const bit_t depth = header[flag_depth_bit];
+        const length_t colour_words =
+            select(linear, length_t(colour_channels * linear_words), length_t(colour_channels * quadratic_words));
+        const length_t log_words = select(linear, length_t(linear_words), length_t(quadratic_words));
+        const ac_int<2, false> log_channels = header.template slc<flag_log_channels_bits>(flag_log_channels_lsb);
+        const length_t expected =
+            channel_base + colour_words + log_words * log_channels + select(depth, length_t(linear_words), length_t(0));
+        const bit_t served = bit_t(header.template slc<5>(flag_log_channels_lsb) == 0) &
+                             (depth ? bit_t(has_depth) : bit_t(1)) & (linear | bit_t(has_quadratic));
+        const code_t triangle_code = select(bit_t(length != expected), code_t(error_bad_length),
+                                            select(served, code_t(0), code_t(error_unsupported)));
+        const code_t empty_code = select(bit_t(length != 0), code_t(error_bad_length), code_t(0));
+        const bit_t known = bit_t(op <= opcode_fence);
+        const bit_t answered = bit_t(op == opcode_query) | bit_t(op == opcode_fence);
+        const code_t other_code = select(answered, empty_code, code_t(error_unsupported));
+        return select(bit_t(op == opcode_triangle), triangle_code,
+                      select(known, other_code, code_t(error_unknown_opcode)));
+    }
+
+    /// Payload index of register r in a quadratic or linear packet; −1: not in it.
+    static constexpr int position(int r, bool linear) {
+        if (r < channel_base) return r;
+        if (r >= depth_base)
+            return channel_base + colour_channels * (linear ? linear_words : quadratic_words) + (r - depth_base);
+        const int channel = (r - channel_base) / channel_words;
+        const int k = (r - channel_base) % channel_words;
+        if (linear) return k < linear_words ? channel_base + channel * linear_words + k : -1;
+        return has_quadratic ? channel_base + channel * quadratic_words + k : -1;
+    }
+    static constexpr int beat_of(int p) { return (p + 1) / words_per_beat; }
+    static constexpr int lane_of(int p) { return (p + 1) % words_per_beat; }
+
+    /// One register's next value: the word at its place when that beat passes, else what it was.
+    template <int index, bool linear>
+    static word_t stored(const word_t& old, const state_t& state, const beat_t& beat, bit_t payload_beat) {
+        constexpr int p = position(index, linear);
+        if constexpr (p < 0) {
+            return old;
+        } else if constexpr (beat_of(p) == 0) {
+            return select(payload_beat & bit_t(state.beat_index == 1), state.held[lane_of(p)], old);
+        } else {
+            const bit_t hit = payload_beat & bit_t(state.beat_index == beat_of(p)) &
+                              bit_t(bit_t(state.header[flag_linear_bit]) == bit_t(linear));
+            return select(hit, beat.words[lane_of(p)], old);
+        }
+    }
+
+    template <std::size_t... index>
+    static void store(state_t& next, const state_t& state, const beat_t& beat, bit_t payload_beat,
+                      std::index_sequence<index...>) {
+        ((next.words[index] = stored<int(index), true>(
+              stored<int(index), false>(state.words[index], state, beat, payload_beat), state, beat, payload_beat)),
+         ...);
+    }
+
+    template <std::size_t... lane>
+    static void hold(state_t& next, const beat_t& beat, bit_t header_beat, std::index_sequence<lane...>) {
+        ((next.held[lane] = select(header_beat, beat.words[lane], next.held[lane])), ...);
+    }
+};
+
+}  // namespace sheen::hls
