@@ -36,6 +36,12 @@ std::vector<std::string> builtin_mesh_names();
 /// Makes a built-in mesh by its full name (`builtin:…`). \throws UsageError for an unknown one.
 Mesh make_builtin_mesh(const std::string& name);
 
+/// Centre 0 and radius 0 without triangles; an infinite radius when a used coordinate is not finite.
 BoundingSphere bounding_sphere(const Mesh& mesh);
+
+/// Area-weighted smooth unit normals, one per position: the normalised sum of the (doubled) area vectors of the
+/// triangles around it. (0, 0, 1) where that sum has no direction.
+std::vector<glm::dvec3> smooth_normals(const std::vector<glm::dvec3>& positions,
+                                       const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 }  // namespace sheen
