@@ -30,10 +30,10 @@ struct Scene {
 
 /// A vertex on the screen with what shading needs.
 struct ScreenVertex {
-    SnappedPoint point;            ///< 1/256 px, y down
-    double depth = 0.0;            ///< 16-bit depth, 1…65534, 0 would be nearest; linear on screen
-    glm::dvec3 position{0.0};      ///< eye space
-    glm::dvec3 normal{0.0};        ///< eye space, unit
+    SnappedPoint point;        ///< 1/256 px, y down
+    double depth = 0.0;        ///< 16-bit depth, 1…65534, 0 would be nearest; linear on screen
+    glm::dvec3 position{0.0};  ///< eye space
+    glm::dvec3 normal{0.0};    ///< eye space, unit
 };
 
 /// A front-facing triangle (or a flipped back face) that may touch the image. `vertices` is the unclipped triangle: it
@@ -49,8 +49,9 @@ struct ScreenTriangle {
 /// \throws UsageError for an impossible size, Error for a mesh whose radius is 0 or not finite.
 std::vector<ScreenTriangle> project(const Scene& scene);
 
-/// Clips a snapped triangle to [0, 256·width] × [0, 256·height] and triangulates what is left. Intersections are computed from
-/// the endpoints in a canonical order, so that two triangles sharing an edge clip it to the same point.
+/// Clips a snapped triangle (coordinates within ±2^30) to [0, 256·width] × [0, 256·height] and triangulates what is
+/// left, winding kept. Intersections are exact rationals, rounded once to nearest, whatever the direction of the edge:
+/// two triangles sharing an edge clip it to the same points. Nothing is left of a triangle without area.
 std::vector<std::array<SnappedPoint, 3>> clip_to_image(const std::array<SnappedPoint, 3>& triangle, int width,
                                                        int height);
 
