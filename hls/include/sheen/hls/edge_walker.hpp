@@ -3,7 +3,7 @@
 /// edge_walker: the geometry of a triangle, row by row.
 ///
 /// Walks the long edge in whole pixels. Each row gives one span {x, y, length, direction} and one command to the
-/// channels: `row` (one row down, κ pixels along), then, when the long edge's phase accumulator carries, `carry` (one
+/// channels: a step (one row down, κ pixels along), then, when the long edge's phase accumulator carries, a carry (one
 /// pixel more). A row takes 1 + carry clocks. Phases run a row ahead, so that a carry is a registered bit when it is
 /// needed; that costs one clock (state `prime`) per triangle, and one at the middle vertex unless a carry step fills
 /// it.
@@ -132,7 +132,7 @@ struct edge_walker {
         next.command.load = load;
         next.command.linear = job.linear;
         next.command.depth = job.depth;
-        next.command.row = in_row;
+        next.command.step = in_row | carrying;
         next.command.carry = carrying;
         return next;
     }

@@ -6,7 +6,7 @@
 ///   V(u, j) = I + u·D + j·E + C(u,2)·h + u·j·dD + C(j,2)·dE   (mod 2^W),
 /// exactly, for any six words: integer additions carry no rounding.
 ///
-/// Start edge: row   I += E, E += dE, D += dD;
+/// Start edge: step  I += E, E += dE, D += dD;
 ///             carry I += D, D += h,  E += dD.
 /// Span:       step  I += D, D += h.
 /// Between the two stands the span queue, which holds {I, D} of the rows that the edge walker is ahead. h (and the D of
@@ -50,15 +50,16 @@ struct forward_difference {
                                   const words_t& words) {
         edge_state_t next;
         const value_t zero = 0;
-        const bit_t steps = command.row | command.carry;
         const value_t i_sum = state.i + select(command.carry, state.d, state.e);
-        next.i = select(command.load, select(present, value_of(words.i), zero), select(steps, i_sum, state.i));
+        next.i = select(command.load, select(present, value_of(words.i), zero), select(command.step, i_sum, state.i));
         if constexpr (second_order) {
             const bit_t curved = present & ~command.linear;
             const value_t d_sum = state.d + select(command.carry, state.h, state.dd);
             const value_t e_sum = state.e + select(command.carry, state.dd, state.de);
-            next.d = select(command.load, select(present, value_of(words.d), zero), select(steps, d_sum, state.d));
-            next.e = select(command.load, select(present, value_of(words.e), zero), select(steps, e_sum, state.e));
+            next.d =
+                select(command.load, select(present, value_of(words.d), zero), select(command.step, d_sum, state.d));
+            next.e =
+                select(command.load, select(present, value_of(words.e), zero), select(command.step, e_sum, state.e));
             next.h = select(command.load, select(curved, value_of(words.h), zero), state.h);
             next.dd = select(command.load, select(curved, value_of(words.dd), zero), state.dd);
             next.de = select(command.load, select(curved, value_of(words.de), zero), state.de);

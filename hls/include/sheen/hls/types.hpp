@@ -55,8 +55,8 @@ struct edge_command_t {
     bit_t load = 0;    ///< take over the six words
     bit_t linear = 0;  ///< with load: h, dD, dE are 0
     bit_t depth = 0;   ///< with load: the packet has a depth channel (else its value is 0)
-    bit_t row = 0;     ///< I += E, E += dE, D += dD
-    bit_t carry = 0;   ///< I += D, D += h, E += dD
+    bit_t step = 0;    ///< one row down: I += E, E += dE, D += dD
+    bit_t carry = 0;   ///< with step, one pixel along instead: I += D, D += h, E += dD
 };
 
 /// Commands of the span walker to the span part of every forward difference.
