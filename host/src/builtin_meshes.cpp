@@ -26,8 +26,8 @@ Mesh make_sphere(const std::string& name, std::uint32_t segments, std::uint32_t 
         const double polar = glm::pi<double>() * ring / rings;
         for (std::uint32_t segment = 0; segment < segments; ++segment) {
             const double azimuth = turn_fraction(segment, segments);
-            mesh.positions.emplace_back(std::sin(polar) * std::sin(azimuth), std::cos(polar),
-                                        std::sin(polar) * std::cos(azimuth));
+            mesh.positions.emplace_back(std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                                        -std::sin(polar) * std::sin(azimuth));
         }
     }
     mesh.positions.emplace_back(0.0, -1.0, 0.0);
@@ -40,8 +40,8 @@ Mesh make_sphere(const std::string& name, std::uint32_t segments, std::uint32_t 
     for (std::uint32_t segment = 0; segment < segments; ++segment) {
         mesh.triangles.push_back({0, at(1, segment), at(1, segment + 1)});
         for (std::uint32_t ring = 1; ring + 1 < rings; ++ring) {
-            mesh.triangles.push_back({at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1)});
-            mesh.triangles.push_back({at(ring, segment), at(ring + 1, segment + 1), at(ring, segment + 1)});
+            mesh.triangles.push_back({at(ring, segment), at(ring + 1, segment), at(ring, segment + 1)});
+            mesh.triangles.push_back({at(ring, segment + 1), at(ring + 1, segment), at(ring + 1, segment + 1)});
         }
         mesh.triangles.push_back({at(rings - 1, segment), south, at(rings - 1, segment + 1)});
     }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// A strict reading of Wavefront OBJ text, before assimp's lenient one.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace sheen {
+
+/// Checks every statement of `text` and returns those that make geometry (v, vn, f) in plain form: absolute indices,
+/// three numbers a vertex, normals that are not finite as zero. Forward references, negative indices, continued lines
+/// and the statements of the OBJ specification that Sheen has no use for are accepted.
+/// \throws Error "name:line: …" for the first word that is wrong: an unknown statement, a coordinate that is no finite
+///         number (single precision), an index that is 0, malformed or out of range, a face with fewer than 3 corners
+///         or more than 4096; for bytes that are no text; and for a file without faces.
+std::string check_obj(const std::string& name, std::string_view text);
+
+}  // namespace sheen
