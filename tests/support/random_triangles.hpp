@@ -54,6 +54,28 @@ inline SnappedPoint near_segment(Rng& rng, const SnappedPoint& a, const SnappedP
     return {blend(a.x, b.x), blend(a.y, b.y)};
 }
 
+/// A sliver whose longest edge, or a line next to it, runs through the pixel centre nearest to `through`: the most
+/// extreme shapes that still cover pixels. Its doubled area is a few units of (1/256 px)² per lattice point on the
+/// edge.
+inline Triangle sliver_through_centre(Rng& rng, const SnappedPoint& through, int max_px) {
+    const SnappedPoint centre = on_grid(through, 128, max_px);
+    SnappedPoint step{uniform(rng, -40, 40), uniform(rng, -40, 40)};
+    if (step == SnappedPoint{0, 0}) step = {1, 2};
+    // As far along ±step as the image allows.
+    const auto reach = [&](std::int64_t sign) {
+        const auto along = [&](std::int64_t from, std::int64_t by) {
+            const std::int64_t limit = std::int64_t{256} * max_px;
+            return by > 0 ? (limit - from) / by : by < 0 ? from / -by : limit;
+        };
+        return std::min(along(centre.x, sign * step.x), along(centre.y, sign * step.y));
+    };
+    const std::int64_t back = uniform(rng, 0, reach(-1));
+    const std::int64_t ahead = uniform(rng, 1, std::max(reach(1), std::int64_t{1}));
+    const SnappedPoint a{centre.x - back * step.x, centre.y - back * step.y};
+    const SnappedPoint b{centre.x + ahead * step.x, centre.y + ahead * step.y};
+    return {a, b, {centre.x + uniform(rng, -1, 1), centre.y + uniform(rng, -1, 1)}};
+}
+
 /// A triangle in [0, 256·max_px]², max_px ≤ 4095, in any winding: general, with vertices on pixel centres, corners or
 /// edges, slivers along their longest edge, needles, with horizontal or vertical edges. It may cover no pixel and
 /// may have no area.
@@ -74,8 +96,10 @@ inline Triangle random_triangle(Rng& rng, int max_px) {
             for (SnappedPoint& p : t) p.x = on_grid(p, 0, max_px).x;  // on pixel edges
             break;
         case 4:
+            t[2] = near_segment(rng, t[0], t[1], max_px);
+            break;
         case 5:
-            t[2] = near_segment(rng, t[0], t[1], max_px);  // sliver
+            t = sliver_through_centre(rng, t[0], max_px);
             break;
         case 6:
             t[2] = near_segment(rng, t[0], t[0], max_px);  // needle
