@@ -20,5 +20,7 @@ write_basic_package_version_file(sheenConfigVersion.cmake COMPATIBILITY SameMino
 install(FILES "${PROJECT_BINARY_DIR}/sheenConfig.cmake" "${PROJECT_BINARY_DIR}/sheenConfigVersion.cmake"
         DESTINATION "${package_folder}")
 
+# The file finds its prefix from where it lies: `make install PREFIX=…` chooses that after configuring.
+file(RELATIVE_PATH pc_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 configure_file(cmake/sheen.pc.in sheen.pc @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/sheen.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")

@@ -21,7 +21,11 @@ function(sheen_add_test name source library kernels suffix)
   add_executable(${name} ${source})
   target_link_libraries(${name} PRIVATE ${library} ${kernels} sheen_warnings GTest::gtest_main rapidcheck fmt::fmt
                         nlohmann_json::nlohmann_json)
-  target_compile_definitions(${name} PRIVATE SHEEN_COMMAND="${PROJECT_BINARY_DIR}/sheen")
+  file(STRINGS "${source}" command_lines REGEX "command_fixture.hpp")
+  if(command_lines)
+    target_compile_definitions(${name} PRIVATE SHEEN_COMMAND="$<TARGET_FILE:sheen_command>")
+    add_dependencies(${name} sheen_command)
+  endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_SUFFIX "${suffix}" WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
 endfunction()
 
@@ -34,6 +38,15 @@ foreach(source ${test_sources})
   endif()
 endforeach()
 
+# make_vectors_<unit> OUTDIR [seed] [count] writes a bench's vectors.
+file(GLOB vector_sources CONFIGURE_DEPENDS tests/vectors/make_vectors_*.cpp)
+foreach(source ${vector_sources})
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(${name} ${source})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/vectors")
+  target_link_libraries(${name} PRIVATE sheen sheen_hls sheen_warnings)
+endforeach()
+
 add_custom_target(benchmarks)
 file(GLOB benchmark_sources CONFIGURE_DEPENDS tests/*_bench.cpp)
 foreach(source ${benchmark_sources})
@@ -44,12 +57,13 @@ foreach(source ${benchmark_sources})
   add_dependencies(benchmarks ${name})
 endforeach()
 
-# Every bad kernel is refused, for the reason that its name tells; the good ones are accepted.
-file(GLOB lint_sources CONFIGURE_DEPENDS tests/lint/*.cpp)
+# Every bad kernel tests/lint/<reason>/*.cpp is refused, for that reason; those of tests/lint/accepted pass.
+file(GLOB lint_sources CONFIGURE_DEPENDS tests/lint/*/*.cpp)
 foreach(source ${lint_sources})
-  get_filename_component(name ${source} NAME_WE)
-  string(REGEX REPLACE "_(step|core)$" "" reason ${name})
-  add_test(NAME check_synthesizable.${name}
+  cmake_path(GET source PARENT_PATH reason)
+  cmake_path(GET reason FILENAME reason)
+  cmake_path(GET source STEM name)
+  add_test(NAME check_synthesizable.${reason}.${name}
            COMMAND Python3::Interpreter "${PROJECT_SOURCE_DIR}/scripts/check_synthesizable.py" --expect ${reason}
                    --ac-types "${AC_TYPES}" --out "${PROJECT_BINARY_DIR}/lint" "${source}")
 endforeach()

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# lint_vhdl.sh SCRATCH: analyses rtl_vhdl with GHDL, every warning an error, and checks the style of it and of testbench
+# with vsg (vsg.yaml). The benches are analysed with the same warnings when they are built.
+# Exit status: 0 nothing found, 1 findings.
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+ghdl=${GHDL:-ghdl}
+scratch=$1
+rm -rf "$scratch"
+mkdir -p "$scratch"
+options=(--std=08 --work=sheen --workdir="$scratch")
+# Debian's GHDL has no -Wall.
+warnings=(-Wlibrary -Wdefault-binding -Wbinding -Wport -Wreserved -Wnested-comment -Wparenthesis -Wdelayed-checks
+    -Wbody -Wspecs -Wuniversal -Wruntime-error -Wshared -Whide -Wunused -Wothers -Wpure -Wstatic -Wport-bounds
+    -Wanalyze-assert -Wattribute -Wuseless --warn-error)
+
+"$ghdl" -i "${options[@]}" rtl_vhdl/generated/*.vhd rtl_vhdl/*.vhd
+mapfile -t entities < <(grep -hoP '^entity \K\w+' rtl_vhdl/*.vhd)
+for entity in "${entities[@]}"; do
+    "$ghdl" elab-order "${options[@]}" "$entity"
+done >"$scratch/order"
+# A file's units come before their users; each file once, where it is first needed.
+mapfile -t sources < <(awk '!seen[$0]++' "$scratch/order")
+"$ghdl" -a "${options[@]}" "${warnings[@]}" "${sources[@]}"
+echo "lint_vhdl: ${#sources[@]} files analysed, ${#entities[@]} entities, no warning"
+
+build/venv/bin/vsg --configuration scripts/vsg.yaml --all_phases --output_format syntastic \
+    --filename rtl_vhdl/*.vhd testbench/*.vhd
+echo "lint_vhdl: style of $(ls rtl_vhdl/*.vhd testbench/*.vhd | wc -l) files, no finding"
