@@ -69,10 +69,10 @@ std::uint32_t rounded_word(Coefficient value, int fraction_bits) {
 
 }  // namespace
 
-double Polynomial::at(int x, int y) const {
-    const Coefficient dx = x - origin_x;
-    const Coefficient dy = y - origin_y;
-    return static_cast<double>((t[5] * dx + t[4] * dy + t[2]) * dx + (t[3] * dy + t[1]) * dy + t[0]);
+Coefficient Polynomial::value(Coefficient x, Coefficient y) const {
+    const Coefficient dx = x - static_cast<Coefficient>(origin_x);
+    const Coefficient dy = y - static_cast<Coefficient>(origin_y);
+    return (t[5] * dx + t[4] * dy + t[2]) * dx + (t[3] * dy + t[1]) * dy + t[0];
 }
 
 Polynomial Polynomial::recentred(int x, int y) const {
@@ -81,7 +81,7 @@ Polynomial Polynomial::recentred(int x, int y) const {
     Polynomial moved = *this;
     moved.origin_x = x;
     moved.origin_y = y;
-    moved.t[0] = (t[5] * dx + t[4] * dy + t[2]) * dx + (t[3] * dy + t[1]) * dy + t[0];
+    moved.t[0] = value(x, y);
     moved.t[1] = t[1] + t[4] * dx + Coefficient{2} * t[3] * dy;
     moved.t[2] = t[2] + t[4] * dy + Coefficient{2} * t[5] * dx;
     return moved;
@@ -93,6 +93,14 @@ PixelIndex centre_pixel(const std::array<SnappedPoint, 3>& triangle) {
     // Arithmetic shift: floor, for vertices left of or above the image too.
     return {static_cast<int>((left + right) >> (hls::subpixel_bits + 1)),
             static_cast<int>((top + bottom) >> (hls::subpixel_bits + 1))};
+}
+
+std::array<Coefficient, 3> barycentric_coordinates(const std::array<SnappedPoint, 3>& triangle,
+                                                   const SnappedPoint& point) {
+    const auto area = static_cast<Coefficient>(doubled_area(triangle[0], triangle[1], triangle[2]));
+    return {static_cast<Coefficient>(doubled_area(triangle[1], triangle[2], point)) / area,
+            static_cast<Coefficient>(doubled_area(triangle[2], triangle[0], point)) / area,
+            static_cast<Coefficient>(doubled_area(triangle[0], triangle[1], point)) / area};
 }
 
 Polynomial fit_linear(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 3>& values) {

@@ -53,7 +53,8 @@ struct TriangleSetup {
 };
 
 /// All setups of a scene, in drawing order: one per clipped piece that covers a pixel. The polynomial is the unclipped
-/// triangle's, rounded about the centre of the piece's bounding box; ½ is folded into colour and depth.
+/// triangle's, rounded about the centre of the piece's bounding box; ½ is folded into colour and depth. Only a piece of
+/// a sliver so thin that snapping took it out of its triangle gets a polynomial of its own, with nodes at the border.
 /// \throws Error for `phong` when a pixel is covered.
 std::vector<TriangleSetup> make_setups(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles);
 

@@ -26,7 +26,9 @@ struct Polynomial {
     int origin_x = 0;
     int origin_y = 0;
     /// Value at the centre of pixel (x, y).
-    [[nodiscard]] double at(int x, int y) const;
+    [[nodiscard]] double at(int x, int y) const { return static_cast<double>(value(x, y)); }
+    /// Value anywhere, in pixels: whole x and y are pixel centres.
+    [[nodiscard]] Coefficient value(Coefficient x, Coefficient y) const;
     /// The same function about another origin.
     [[nodiscard]] Polynomial recentred(int x, int y) const;
 };
@@ -39,6 +41,10 @@ struct PixelIndex {
 
 /// The pixel that holds the bounding box's centre: rounding coefficients about it costs the least.
 PixelIndex centre_pixel(const std::array<SnappedPoint, 3>& triangle);
+
+/// Barycentric coordinates of a point; they add up to 1. The triangle must have an area.
+std::array<Coefficient, 3> barycentric_coordinates(const std::array<SnappedPoint, 3>& triangle,
+                                                   const SnappedPoint& point);
 
 /// The linear function with the given values at the vertices; a constant, their mean, when the triangle has no area.
 Polynomial fit_linear(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 3>& values);
