@@ -13,7 +13,7 @@
 namespace sheen {
 namespace {
 
-/// Enough for coordinates up to 2^30: reduced vertices have 62 bits over 31, a distance 62, their products 125.
+/// Enough for coordinates up to 2^29: reduced vertices have 59 bits over 30, a distance 60, their products 120.
 __extension__ using Wide = __int128;
 
 /// The point (x/w, y/w), w > 0, in lowest terms.

@@ -49,7 +49,7 @@ struct ScreenTriangle {
 /// \throws UsageError for an impossible size, Error for a mesh whose radius is 0 or not finite.
 std::vector<ScreenTriangle> project(const Scene& scene);
 
-/// Clips a snapped triangle (coordinates within ±2^30) to [0, 256·width] × [0, 256·height] and triangulates what is
+/// Clips a snapped triangle (coordinates within ±2^29) to [0, 256·width] × [0, 256·height] and triangulates what is
 /// left, winding kept. Intersections are exact rationals, rounded once to nearest, whatever the direction of the edge:
 /// two triangles sharing an edge clip it to the same points. Nothing is left of a triangle without area.
 std::vector<std::array<SnappedPoint, 3>> clip_to_image(const std::array<SnappedPoint, 3>& triangle, int width,

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Reflected radiance: limits and symmetries of paper `spherical`, eq. 8.
+#include "sheen/lighting.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+namespace sheen {
+namespace {
+
+constexpr unsigned seed = 7002;
+constexpr int cases = 2000;
+const glm::dvec3 to_eye_direction(0.0, 0.0, 1.0);
+
+class Directions {
+ public:
+    glm::dvec3 operator()() {
+        const glm::dvec3 v(normal_(random_), normal_(random_), normal_(random_));
+        return glm::normalize(v);
+    }
+
+ private:
+    std::mt19937 random_{seed};
+    std::normal_distribution<double> normal_;
+};
+
+void expect_near(const glm::dvec3& actual, const glm::dvec3& expected) {
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(actual[c], expected[c], 1e-9) << "component " << c << ", seed " << seed;
+    }
+}
+
+TEST(Lighting, WithoutLightsOnlyAmbientRemains) {
+    const Material material;
+    expect_near(shade(material, {}, to_eye_direction, to_eye_direction), 255.0 * material.ambient);
+}
+
+TEST(Lighting, WithoutSpecularItIsLambert) {
+    Directions direction;
+    Material material;
+    material.specular = 0.0;
+    for (int i = 0; i < cases; ++i) {
+        const glm::dvec3 normal = direction();
+        const DirectionalLight light{direction(), {1.0, 0.5, 0.25}};
+        const double cosine = std::max(0.0, glm::dot(normal, light.direction));
+        expect_near(shade(material, {light}, normal, to_eye_direction),
+                    255.0 * (material.ambient + cosine * light.colour * material.diffuse));
+    }
+}
+
+TEST(Lighting, BlinnsHighlightIsThePowerOfHalfTheAngleBetweenLightAndMirror) {
+    // In the plane of light and eye, N at angle a from H: (N·H)^n = cos^n a, also where N·L < 0.
+    Material material;
+    material.ambient = material.diffuse = glm::dvec3(0.0);
+    for (int degrees = -89; degrees <= 89; degrees += 2) {
+        const double angle = degrees * std::acos(-1.0) / 180.0;
+        const double half = 0.6;  // of the angle between light and eye
+        const DirectionalLight light{{std::sin(2.0 * half), 0.0, std::cos(2.0 * half)}, glm::dvec3(1.0)};
+        const glm::dvec3 normal(std::sin(half + angle), 0.0, std::cos(half + angle));
+        expect_near(shade(material, {light}, normal, to_eye_direction),
+                    glm::dvec3(255.0 * material.specular * std::pow(std::cos(angle), material.shininess)));
+    }
+}
+
+TEST(Lighting, LightsAdd) {
+    Directions direction;
+    const Material material;
+    for (int i = 0; i < cases; ++i) {
+        const glm::dvec3 normal = direction();
+        const DirectionalLight a{direction(), {1.0, 0.2, 0.4}};
+        const DirectionalLight b{direction(), {0.3, 0.9, 0.1}};
+        const glm::dvec3 ambient = 255.0 * material.ambient;
+        expect_near(shade(material, {a, b}, normal, to_eye_direction) - ambient,
+                    shade(material, {a}, normal, to_eye_direction) + shade(material, {b}, normal, to_eye_direction) -
+                        2.0 * ambient);
+    }
+}
+
+TEST(Lighting, ALightStraightBehindGivesNoHighlightAndNoNan) {
+    const Material material;
+    const DirectionalLight behind{-to_eye_direction, glm::dvec3(1.0)};
+    expect_near(shade(material, {behind}, to_eye_direction, to_eye_direction), 255.0 * material.ambient);
+}
+
+}  // namespace
+}  // namespace sheen
