@@ -187,6 +187,7 @@ Comparison compare(const Scene& scene, const ComparisonRequest& request, const C
         request.runs.empty() ? std::vector<std::vector<DirectionalLight>>{scene.lights} : request.runs;
 
     Comparison comparison;
+    comparison.runs = runs.size();
     Scene lit = scene;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         lit.lights = runs[i];

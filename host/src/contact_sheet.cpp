@@ -74,7 +74,8 @@ std::string quality(const ComparisonRow& row) {
 /// The tiles, column by column: the reference alone, then for each method a picture and an error map per device.
 std::vector<std::vector<Tile>> make_columns(const Comparison& comparison, int factor) {
     std::vector<std::vector<Tile>> columns;
-    columns.push_back({{"phong", "per pixel", reduce(comparison.reference, factor, Reduction::mean)}});
+    const std::string runs = comparison.runs > 1 ? fmt::format(", run 1 of {}", comparison.runs) : std::string();
+    columns.push_back({{"phong", "per pixel" + runs, reduce(comparison.reference, factor, Reduction::mean)}});
     const Method* current = nullptr;
     for (const ComparisonRow& row : comparison.rows) {
         if (!row.reason.empty() || row.method == Method::phong) {
@@ -88,7 +89,7 @@ std::vector<std::vector<Tile>> make_columns(const Comparison& comparison, int fa
                                   reduce(row.picture, factor, Reduction::mean)});
         columns.back().push_back(
             {fmt::format("error x {}", error_map_gain),
-             fmt::format("against phong on {}", row.device == reference_name ? "double" : "8 bits"),
+             fmt::format("against phong in {}", row.device == reference_name ? "double" : "8 bits"),
              reduce(row.error_map, factor, Reduction::maximum)});
     }
     return columns;

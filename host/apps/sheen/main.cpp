@@ -25,6 +25,17 @@ int complain(std::string message, int status) {
     return status;
 }
 
+/// The parser only says that a subcommand is required; name the word that is none.
+void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') {
+        return;
+    }
+    const std::string word = argv[1];
+    if (app.get_subcommands([&word](const CLI::App* command) { return command->check_name(word); }).empty()) {
+        throw sheen::UsageError("unknown subcommand '" + word + "': give render, run, compare or info");
+    }
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Phong-quality shading at the price of Gouraud shading: kernels, VHDL and reference, side by side.",
                  "sheen");
@@ -40,6 +51,7 @@ int run(int argc, char** argv) {
     sheen::command::add_run(app);
     sheen::command::add_compare(app);
     sheen::command::add_info(app);
+    require_known_subcommand(app, argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -20,27 +21,29 @@ namespace {
 constexpr const char* standard_output = "-";
 constexpr std::size_t bar_width = 24;
 
-/// Why nothing can be written to `path`, as far as that shows without writing; 0 when nothing speaks against it.
+/// Why nothing can be written to `path`, as an errno; 0 when nothing speaks against it. A new file is made beside the
+/// old one, and takes its place when it is whole: so the probe is a file of a fresh name, which goes at once.
 int obstacle(const std::filesystem::path& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
         return EISDIR;
     }
-    if (std::filesystem::exists(path, ignored) && ::access(path.c_str(), W_OK) != 0) {
+    if (std::filesystem::exists(path, ignored)) {
+        if (::access(path.c_str(), W_OK) != 0) {
+            return errno;
+        }
+        if (!std::filesystem::is_regular_file(path, ignored)) {
+            return 0;
+        }
+    }
+    std::string probe = path.string() + ".XXXXXX";
+    const int descriptor = ::mkstemp(probe.data());
+    if (descriptor < 0) {
         return errno;
     }
-    if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
-        return 0;
-    }
-    // A new file is made beside the old one, and takes its place when it is whole.
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    if (!std::filesystem::exists(folder, ignored)) {
-        return ENOENT;
-    }
-    if (!std::filesystem::is_directory(folder, ignored)) {
-        return ENOTDIR;
-    }
-    return ::access(folder.c_str(), W_OK | X_OK) == 0 ? 0 : errno;
+    ::close(descriptor);
+    ::unlink(probe.c_str());
+    return 0;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace sheen::command {
 class Outputs {
  public:
     /// \throws UsageError when two options name one path, or a path looks like an option; Error when a path can't be
-    ///         written. Nothing is created yet.
+    ///         written. Nothing is there afterwards that was not there before.
     explicit Outputs(std::vector<std::pair<std::string, std::string>> path_of_option);
     /// Prints for people: on standard output, or on standard error where standard output carries a file.
     void print(const std::string& text) const;

@@ -62,6 +62,7 @@ inline constexpr int error_map_gain = 16;
 struct Comparison {
     Image reference;                  ///< Phong per pixel, first run
     std::vector<ComparisonRow> rows;  ///< devices vary fastest
+    std::size_t runs = 1;             ///< how many went into the figures
 };
 
 /// Told before each drawing: how many are done, how many there will be, and which comes now.
