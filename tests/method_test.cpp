@@ -281,15 +281,25 @@ TEST(Method, HugeTrianglesAreExactWhereTheyAreDrawn) {
     EXPECT_LE(worst, 0.5 * (1 + 33 + 25 + 33 * 33 + 33 * 25 + 25 * 25) / (1 << 22));
 }
 
+/// A sliver from far left to far right of a 64×64 image, thinner than a subpixel where it crosses it.
+Triangle sliver_across_the_image(Rng& rng) {
+    const std::int64_t size = 256 * 64;
+    const SnappedPoint a{-uniform(rng, 1, 20) * size, uniform(rng, 0, size)};
+    const SnappedPoint b{uniform(rng, 2, 20) * size, uniform(rng, 0, size)};
+    Triangle t{a, b, {b.x + uniform(rng, -2, 2), b.y + uniform(rng, 1, 2)}};
+    if (uniform(rng, 0, 1) == 1) {
+        for (SnappedPoint& p : t) std::swap(p.x, p.y);
+    }
+    return t;
+}
+
 /// Clipped slivers leave their triangle when they are snapped again; colour and depth must not soar there.
 TEST(Method, ClippedSliversStayInTheRangeOfTheirNodes) {
     Rng rng(seed + 8);
     const Scene scene = lit_scene(64, 64);
     std::size_t pixels = 0;
     for (int k = 0; k < 20000; ++k) {
-        Triangle t = sliver_through_centre(rng, {uniform(rng, 25600, 41984), uniform(rng, 25600, 41984)}, 264);
-        for (SnappedPoint& p : t) p = {p.x - 25600, p.y - 25600};
-        if (doubled_area(t[0], t[1], t[2]) == 0) continue;
+        const Triangle t = sliver_across_the_image(rng);
         ScreenTriangle triangle = screen_triangle(rng, scene, t);
         for (ScreenVertex& v : triangle.vertices) v.depth = real(rng, 1, 3);
         for (const Method method : {Method::gouraud, Method::quadratic}) {
@@ -308,7 +318,7 @@ TEST(Method, ClippedSliversStayInTheRangeOfTheirNodes) {
             }
         }
     }
-    EXPECT_GT(pixels, 10000U);
+    EXPECT_GT(pixels, 5000U);
 }
 
 }  // namespace
