@@ -144,7 +144,7 @@ begin
   begin
     if rising_edge(clk) then
       value        <= (others => '0') when data_outside = '1' else data;
-      output_valid  <= data_valid and not reset;
+      output_valid <= data_valid and not reset;
     end if;
   end process;
 

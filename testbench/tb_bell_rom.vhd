@@ -81,7 +81,7 @@ begin
       return random * 100.0 < real(percent);
     end function;
 
-    impure function noise return signed is
+    impure function random_word return signed is
       variable bits : signed(ra_bits - 1 downto 0);
     begin
       for i in bits'range loop
@@ -100,7 +100,7 @@ begin
         for number in 1 to count loop
           while chance(stall_percent) loop
             ra_valid <= '0';
-            ra       <= noise;
+            ra       <= random_word;
             expected <= nothing;
             wait until rising_edge(clk);
           end loop;

@@ -76,7 +76,7 @@ begin
       return random * 100.0 < real(percent);
     end function;
 
-    impure function noise return signed is
+    impure function random_word return signed is
       variable bits : signed(phase_bits - 1 downto 0);
     begin
       for i in bits'range loop
@@ -96,8 +96,8 @@ begin
           while chance(stall_percent) loop
             init     <= '1' when chance(50) else '0';
             step     <= '0';
-            sxsb     <= noise;
-            s        <= noise;
+            sxsb     <= random_word;
+            s        <= random_word;
             expected <= nothing;
             wait until rising_edge(clk);
           end loop;

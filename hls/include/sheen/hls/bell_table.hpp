@@ -86,7 +86,9 @@ constexpr bell_table_t<quadrant_bits> make_bell_table() {
         const double centre = (static_cast<double>(k) + 0.5) * bell_table_math::half_pi / (1 << quadrant_bits);
         const double log_cosine = bell_table_math::logarithm(bell_table_math::cosine(centre));
         const double value = bell_table_math::exponential(log_cosine * exponent_tenths / 10.0);
-        table[k] = static_cast<std::uint16_t>(((1 << data_bits) - 1) * value + 0.5);
+        const double exact = ((1 << data_bits) - 1) * value;
+        const int below = static_cast<int>(exact);
+        table[k] = static_cast<std::uint16_t>(exact - below < 0.5 ? below : below + 1);
     }
     return table;
 }
