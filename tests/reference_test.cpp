@@ -196,6 +196,45 @@ TEST(Reference, TheNearestPixelWinsAfterRoundingAndTheFirstOneWinsTies) {
     EXPECT_GT(ties, 100);
 }
 
+TEST(Reference, SliversThatSnappingMovesAtTheBorderKeepTheirColours) {
+    // Lines through a pixel's centre with a third corner a unit off: where clipping moves such a sliver by half a unit,
+    // its pixels lie outside it by up to many times its width.
+    Rng random(seed);
+    const Scene scene = lit_scene(24, 24);
+    int outside = 0;
+    for (int run = 0; run < 40000; ++run) {
+        ScreenTriangle triangle = random_triangle(random, scene);
+        const SnappedPoint centre = pixel_centre(uniform(random, 0, 23), uniform(random, 0, 23));
+        const SnappedPoint along{uniform(random, -3000, 3000), uniform(random, -3000, 3000)};
+        auto& v = triangle.vertices;
+        v[0].point = {centre.x - 4 * along.x, centre.y - 4 * along.y};
+        v[1].point = {centre.x + 3 * along.x, centre.y + 3 * along.y};
+        v[2].point = {centre.x + along.x + uniform(random, -1, 1), centre.y + along.y + uniform(random, -1, 1)};
+        if (cross(v[0].point, v[1].point, v[2].point) == 0) {
+            continue;
+        }
+        triangle.pieces = clip_to_image({v[0].point, v[1].point, v[2].point}, scene.width, scene.height);
+        glm::dvec3 low(255.0);
+        glm::dvec3 high(0.0);
+        for (const ScreenVertex& vertex : v) {
+            const glm::dvec3 colour = shade(scene.material, scene.lights, vertex.normal, {0.0, 0.0, 1.0});
+            low = glm::min(low, colour);
+            high = glm::max(high, colour);
+        }
+        const glm::dvec3 margin = 0.1 * (high - low) + 1e-6;
+        for_each_covered(render_reference(Method::gouraud, scene, {triangle}),
+                         [&](int x, int y, const glm::dvec3& got) {
+                             const auto w = weights_at(triangle, x, y);
+                             outside += *std::min_element(w.begin(), w.end()) < -0.1L ? 1 : 0;
+                             for (int c = 0; c < 3; ++c) {
+                                 EXPECT_GE(got[c], low[c] - margin[c]) << "run " << run << ", seed " << seed;
+                                 EXPECT_LE(got[c], high[c] + margin[c]) << "run " << run << ", seed " << seed;
+                             }
+                         });
+    }
+    EXPECT_GT(outside, 20);
+}
+
 TEST(Reference, ColoursSaturateAndTheImageIsRoundedToNearest) {
     Scene scene = lit_scene(64, 64);
     scene.mesh = make_builtin_mesh("builtin:sphere-690");

@@ -15,24 +15,53 @@ namespace {
 
 constexpr double full_scale = 255.0;
 
-/// Weights of a triangle's vertices at pixel centres, from exact integer areas; they reach outside 0…1 where a clipped
-/// piece leaves the triangle by its rounding.
-class Barycentric {
+/// How far in barycentric coordinates a pixel may lie outside its triangle and be extrapolated. Snapping a clipped
+/// piece moves its edges by up to half a subpixel; only in slivers about as thin does a pixel get further out.
+constexpr double reach = 1.0 / 32.0;
+
+/// A place in a triangle: weights of the vertices, and the pixel coordinates that they mean (whole at pixel centres).
+struct Sample {
+    glm::dvec3 weights{0.0};
+    Coefficient x{0};
+    Coefficient y{0};
+};
+
+/// Samples a triangle at pixel centres, from exact integer areas.
+class Sampler {
  public:
-    explicit Barycentric(const std::array<ScreenVertex, 3>& vertices)
+    explicit Sampler(const std::array<ScreenVertex, 3>& vertices)
         : points_{vertices[0].point, vertices[1].point, vertices[2].point},
           area_(static_cast<double>(doubled_area(points_[0], points_[1], points_[2]))) {}
 
-    [[nodiscard]] glm::dvec3 at(int x, int y) const {
-        constexpr std::int64_t pixel = std::int64_t{1} << hls::subpixel_bits;
+    /// The centre of pixel (x, y), or the triangle's border where the centre is out of reach.
+    [[nodiscard]] Sample at(int x, int y) const {
         const SnappedPoint centre{pixel * x + pixel / 2, pixel * y + pixel / 2};
-        return glm::dvec3(static_cast<double>(doubled_area(centre, points_[1], points_[2])),
-                          static_cast<double>(doubled_area(points_[0], centre, points_[2])),
-                          static_cast<double>(doubled_area(points_[0], points_[1], centre))) /
-               area_;
+        const glm::dvec3 weights = glm::dvec3(static_cast<double>(doubled_area(centre, points_[1], points_[2])),
+                                              static_cast<double>(doubled_area(points_[0], centre, points_[2])),
+                                              static_cast<double>(doubled_area(points_[0], points_[1], centre))) /
+                                   area_;
+        if (std::min({weights.x, weights.y, weights.z}) >= -reach) {
+            return {weights, static_cast<Coefficient>(x), static_cast<Coefficient>(y)};
+        }
+        // In slivers a polynomial's coefficients are so large that its arguments need its own precision.
+        auto lambda = barycentric_coordinates(points_, centre);
+        Coefficient sum{0};
+        for (Coefficient& weight : lambda) {
+            weight = std::max(weight, Coefficient{0});
+            sum += weight;
+        }
+        Sample border{glm::dvec3(0.0), Coefficient{-0.5}, Coefficient{-0.5}};
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Coefficient weight = lambda[corner] / sum;
+            border.weights[static_cast<int>(corner)] = static_cast<double>(weight);
+            border.x += weight * static_cast<Coefficient>(points_[corner].x) / pixel;
+            border.y += weight * static_cast<Coefficient>(points_[corner].y) / pixel;
+        }
+        return border;
     }
 
  private:
+    static constexpr std::int64_t pixel = std::int64_t{1} << hls::subpixel_bits;
     std::array<SnappedPoint, 3> points_;
     double area_;
 };
@@ -73,10 +102,10 @@ class Canvas {
         depth_.assign(pixels, 0);
     }
 
-    /// Draws the pieces of a triangle; `colour_at(x, y, weights)` is its unclamped colour there.
+    /// Draws the pieces of a triangle; `colour_at(sample)` is its unclamped colour there.
     template <typename ColourAt>
     void draw(const ScreenTriangle& triangle, ColourAt colour_at) {
-        const Barycentric barycentric(triangle.vertices);
+        const Sampler sampler(triangle.vertices);
         for (const auto& piece : triangle.pieces) {
             const auto walk = walk_triangle(piece[0], piece[1], piece[2]);
             if (!walk) {
@@ -85,10 +114,10 @@ class Canvas {
             ++image_.triangles;
             for_each_span(*walk, [&](int x, int y, int length, int step) {
                 for (int i = 0; i < length; ++i, x += step) {
-                    const glm::dvec3 weights = barycentric.at(x, y);
-                    if (passes_depth(x, y, device_depth(triangle, weights))) {
+                    const Sample sample = sampler.at(x, y);
+                    if (passes_depth(x, y, device_depth(triangle, sample.weights))) {
                         image_.colour[index(x, y)] =
-                            glm::clamp(colour_at(x, y, weights), glm::dvec3(0.0), glm::dvec3(full_scale));
+                            glm::clamp(colour_at(sample), glm::dvec3(0.0), glm::dvec3(full_scale));
                     }
                 }
             });
@@ -134,14 +163,15 @@ ReferenceImage render_reference(Method method, const Scene& scene, const std::ve
     Canvas canvas(scene.width, scene.height);
     for (const ScreenTriangle& triangle : triangles) {
         if (method == Method::phong) {
-            canvas.draw(triangle, [&](int /*x*/, int /*y*/, const glm::dvec3& weights) {
-                return phong_colour(scene, triangle, weights);
-            });
+            canvas.draw(triangle, [&](const Sample& sample) { return phong_colour(scene, triangle, sample.weights); });
             continue;
         }
         const TriangleShading shading = shade_triangle(method, scene, triangle);
-        canvas.draw(triangle, [&](int x, int y, const glm::dvec3& /*weights*/) {
-            return glm::dvec3(shading.colour[0].at(x, y), shading.colour[1].at(x, y), shading.colour[2].at(x, y));
+        canvas.draw(triangle, [&](const Sample& sample) {
+            const auto value = [&](const Polynomial& channel) {
+                return static_cast<double>(channel.value(sample.x, sample.y));
+            };
+            return glm::dvec3(value(shading.colour[0]), value(shading.colour[1]), value(shading.colour[2]));
         });
     }
     return canvas.take();
