@@ -46,7 +46,7 @@ entity forward_difference is
     clk     : in std_ulogic;
     command : in channel_command_t;
     present : in std_ulogic;                                                 -- with load: in the packet; else the value is 0
-    words   : in word_vector_t;                                              -- I, D, E and, with second_order, h, dD, dE
+    words   : in word_vector_t(0 to choose(second_order, quadratic_words, linear_words) - 1);  -- I, D, E(, h, dD, dE)
     value   : out std_ulogic_vector(value_bits - 1 downto 0)  -- upper bits of the span part's I
   );
 
@@ -111,13 +111,15 @@ begin
     signal next_i   : unsigned(bits downto 0);
     signal head_i   : slice_t;
 
-    impure function word (index : natural) return slice_t is
-    begin
-      return unsigned(words(words'low + index)(high downto low));
-    end function word;
+    type slice_vector_t is array (natural range <>) of slice_t;
+    signal word : slice_vector_t(0 to words'length - 1);
   begin
 
     c <= commands(k);
+
+    cut : for n in word'range generate
+      word(n) <= unsigned(words(n)(high downto low));
+    end generate cut;
 
     -- Edge part: I.
     i_addend <= edge_d when c.edge_part.carry else edge_e;
@@ -127,7 +129,10 @@ begin
     begin
       if rising_edge(clk) then
         if c.edge_part.load then
-          edge_i <= word(0) and presents(k);
+          edge_i <= word(0);
+          if not presents(k) then
+            edge_i <= (others => '0');
+          end if;
         elsif c.edge_part.step then
           edge_i              <= i_sum(bits - 1 downto 0);
           edge_i_carry(k + 1) <= i_sum(bits);
@@ -176,11 +181,20 @@ begin
       begin
         if rising_edge(clk) then
           if c.edge_part.load then
-            edge_d  <= word(1) and presents(k);
-            edge_e  <= word(2) and presents(k);
-            edge_h  <= word(3) and (presents(k) and not c.edge_part.linear);
-            edge_dd <= word(4) and (presents(k) and not c.edge_part.linear);
-            edge_de <= word(5) and (presents(k) and not c.edge_part.linear);
+            edge_d  <= word(1);
+            edge_e  <= word(2);
+            edge_h  <= word(3);
+            edge_dd <= word(4);
+            edge_de <= word(5);
+            if c.edge_part.linear or not presents(k) then
+              edge_h  <= (others => '0');
+              edge_dd <= (others => '0');
+              edge_de <= (others => '0');
+            end if;
+            if not presents(k) then
+              edge_d <= (others => '0');
+              edge_e <= (others => '0');
+            end if;
           elsif c.edge_part.step then
             edge_d              <= d_sum(bits - 1 downto 0);
             edge_d_carry(k + 1) <= d_sum(bits);
@@ -211,7 +225,7 @@ begin
       begin
         if rising_edge(clk) then
           if c.push then
-            memory(to_integer(c.push_address)) <= std_ulogic_vector(edge_d & edge_i);
+            memory(to_integer(c.push_address)) <= std_ulogic_vector(edge_d) & std_ulogic_vector(edge_i);
           end if;
           if c.fetch then
             head <= memory(to_integer(c.fetch_address));
@@ -231,8 +245,12 @@ begin
       begin
         if rising_edge(clk) then
           if c.edge_part.load then
-            edge_d <= word(1) and presents(k);
-            edge_e <= word(2) and presents(k);
+            edge_d <= word(1);
+            edge_e <= word(2);
+            if not presents(k) then
+              edge_d <= (others => '0');
+              edge_e <= (others => '0');
+            end if;
           end if;
         end if;
       end process edge_slopes;

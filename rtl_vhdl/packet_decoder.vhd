@@ -91,7 +91,7 @@ architecture rtl of packet_decoder is
   signal held       : word_vector_t(0 to words_per_beat - 1);  -- the header's beat, until the job before is taken
   signal code       : std_ulogic_vector(1 downto 0);           -- of the message under way
   signal skip_after : std_ulogic;                              -- the packet's last beat is still to come
-  signal job_valid  : std_ulogic := '0';
+  signal pending    : std_ulogic := '0';
   signal registers  : word_vector_t(0 to register_count - 1);
 
   signal accept       : std_ulogic;
@@ -101,7 +101,7 @@ architecture rtl of packet_decoder is
   function classify (word : word_t) return natural is
     constant opcode        : natural                       := to_integer(unsigned(word(31 downto header_opcode_lsb)));
     constant length        : unsigned(header_length_bits - 1 downto 0) := unsigned(word(header_length_bits - 1 downto 0));
-    variable log_words     : unsigned(5 downto 0);
+    variable log_words     : unsigned(6 downto 0);
     variable expected      : unsigned(6 downto 0);
     variable log_channels  : unsigned(1 downto 0);
   begin
@@ -118,12 +118,17 @@ architecture rtl of packet_decoder is
     log_channels := unsigned(word(flag_log_channels_lsb + 1 downto flag_log_channels_lsb));
     if word(flag_linear_bit) then
       expected  := to_unsigned(channel_base + colour_channels * linear_words, 7);
-      log_words := resize(log_channels * to_unsigned(linear_words, 4), 6);
+      log_words := to_unsigned(linear_words, 7);
     else
       expected  := to_unsigned(channel_base + colour_channels * quadratic_words, 7);
-      log_words := resize(log_channels * to_unsigned(quadratic_words, 4), 6);
+      log_words := to_unsigned(quadratic_words, 7);
     end if;
-    expected := expected + log_words;
+    if log_channels(0) then
+      expected := expected + log_words;
+    end if;
+    if log_channels(1) then
+      expected := expected + (log_words sll 1);
+    end if;
     if word(flag_depth_bit) then
       expected := expected + linear_words;
     end if;
@@ -153,10 +158,10 @@ begin
     report "packet_decoder: words_per_beat is " & integer'image(words_per_beat) & ", it must be 1, 2 or 4"
     severity failure;
 
-  beat_ready   <= '0' when phase = message or (phase = payload and job_valid = '1') else '1';
+  beat_ready   <= '0' when phase = message or (phase = payload and pending = '1') else '1';
   accept       <= beat_valid and beat_ready;
   payload_beat <= accept and to_std_ulogic(phase = payload);
-  job.valid    <= job_valid;
+  job.valid    <= pending;
   words        <= registers;
 
   control : process (clk) is
@@ -169,7 +174,7 @@ begin
   begin
     if rising_edge(clk) then
       if job_taken then
-        job_valid <= '0';
+        pending <= '0';
       end if;
 
       case phase is
@@ -206,7 +211,7 @@ begin
             skip_after <= not beat_last;
             code       <= std_ulogic_vector(to_unsigned(error_bad_length, 2));
             if at_final and beat_last = '1' and beat_keep = final_keep then
-              job_valid    <= '1';
+              pending    <= '1';
               job.message  <= '0';
               job.leftward <= header(flag_leftward_bit);
               job.linear   <= header(flag_linear_bit);
@@ -218,8 +223,8 @@ begin
           end if;
 
         when message =>
-          if not job_valid then
-            job_valid   <= '1';
+          if not pending then
+            pending   <= '1';
             job.message <= '1';
             job.code    <= code;
             job.header  <= header;
@@ -235,7 +240,7 @@ begin
 
       if rst then
         phase     <= expect_header;
-        job_valid <= '0';
+        pending <= '0';
       end if;
     end if;
   end process control;

@@ -88,12 +88,14 @@ architecture rtl of shading_core is
   -- Jobs and their words.
   signal job       : job_t;
   signal job_taken : std_ulogic;
+  signal geometry  : geometry_t;
   signal words     : word_vector_t(0 to register_count - 1);
 
   -- Span queue.
   signal room               : std_ulogic;
   signal push               : std_ulogic;
   signal span               : span_t;
+  signal span_vector        : std_ulogic_vector(span_width - 1 downto 0);
   signal head               : span_t;
   signal head_vector        : std_ulogic_vector(span_width - 1 downto 0);
   signal head_valid         : std_ulogic;
@@ -191,12 +193,14 @@ begin
       words      => words
     );
 
+  geometry <= to_geometry(words(0 to channel_base - 1));
+
   walker : entity sheen.edge_walker
     port map (
       clk         => clk,
       rst         => rst,
       job         => job,
-      geometry    => to_geometry(words(0 to channel_base - 1)),
+      geometry    => geometry,
       job_taken   => job_taken,
       room        => room,
       first_taken => first_taken,
@@ -204,6 +208,8 @@ begin
       span        => span,
       command     => edge_part
     );
+
+  span_vector <= to_vector(span);
 
   span_queue : entity sheen.stream_fifo
     generic map (
@@ -216,7 +222,7 @@ begin
       rst           => rst,
       ready         => room,
       write         => push,
-      write_data    => to_vector(span),
+      write_data    => span_vector,
       valid         => head_valid,
       data          => head_vector,
       taken         => head_taken,

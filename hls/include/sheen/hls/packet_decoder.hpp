@@ -168,8 +168,10 @@ struct packet_decoder {
             select(linear, length_t(colour_channels * linear_words), length_t(colour_channels * quadratic_words));
         const length_t log_words = select(linear, length_t(linear_words), length_t(quadratic_words));
         const ac_int<2, false> log_channels = header.template slc<flag_log_channels_bits>(flag_log_channels_lsb);
-        const length_t expected =
-            channel_base + colour_words + log_words * log_channels + select(depth, length_t(linear_words), length_t(0));
+        const length_t none = 0;
+        const length_t expected = channel_base + colour_words + select(bit_t(log_channels[0]), log_words, none) +
+                                  select(bit_t(log_channels[1]), length_t(log_words << 1), none) +
+                                  select(depth, length_t(linear_words), none);
         const bit_t served = bit_t(header.template slc<5>(flag_log_channels_lsb) == 0) &
                              (depth ? bit_t(has_depth) : bit_t(1)) & (linear | bit_t(has_quadratic));
         const code_t triangle_code = select(bit_t(length != expected), code_t(error_bad_length),
