@@ -34,6 +34,9 @@ TEST_F(command, malformed_requests_exit_with_2_and_one_line_that_names_the_culpr
     expect_refusal({"render", "good.obj", "-o", "out.png", "--device", "crayon"}, 2, "crayon");
     expect_refusal({"render", "good.obj", "-o", "out.png", "--method", "phong"}, 2, "phong");
     expect_refusal({"render", "good.obj", "-o", "--srgb"}, 2, "--srgb");
+    expect_refusal({"render", "good.obj", "-o", ""}, 2, "--output");
+    expect_refusal({"run", "odd.packets", "--device", "hls", "--pixels", ""}, 2, "--pixels");
+    expect_refusal({"compare", "good.obj", "--methods", ""}, 2, "--methods");
     expect_refusal({"render", "good.obj", "-o", "same", "--stats", "same"}, 2, "same");
     expect_refusal({"render", "good.obj", "-o", "-", "--stats", "-"}, 2, "'-'");
     for (const char* size : {"0x0", "0x5", "5x0", "4096x5", "5x4096", "-5x5", "5", "5x", "x5", "5x5x5", "5.5x5", "",
@@ -68,6 +71,7 @@ TEST_F(command, malformed_requests_exit_with_2_and_one_line_that_names_the_culpr
     expect_refusal({"compare", "good.obj", "--devices", "hls,hls"}, 2, "--devices");
     expect_refusal({"compare", "good.obj", "--devices", "reference,loom", "--json", "out.json"}, 2, "loom");
     expect_refusal({"compare", "good.obj", "--lights", "candles"}, 2, "candles");
+    expect_refusal({"compare", "good.obj", "--lights", ""}, 2, "--lights");
     expect_refusal({"compare", "good.obj", "--lights", "measured", "--light", "0,0,1"}, 2, "--light");
     expect_refusal({"info", "--device", "abacus"}, 2, "abacus");
 }

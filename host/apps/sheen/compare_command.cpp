@@ -2,6 +2,7 @@
 /// \file
 /// sheen compare: methods and devices side by side, as a table, a contact sheet and JSON.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <memory>
@@ -16,10 +17,18 @@
 namespace sheen::command {
 namespace {
 
+std::string all_method_names() {
+    std::vector<std::string> names;
+    for (const Method method : all_methods()) {
+        names.push_back(to_string(method));
+    }
+    return fmt::format("{}", fmt::join(names, ","));
+}
+
 struct CompareOptions {
     explicit CompareOptions(CLI::App& command) : scene(command) {}
     SceneOptions scene;
-    std::string methods;
+    std::string methods = all_method_names();
     std::string devices = "reference,hls";
     std::string lights;
     std::string sheet;
@@ -28,21 +37,14 @@ struct CompareOptions {
 
 ComparisonRequest make_request(const CompareOptions& options) {
     ComparisonRequest request;
-    if (options.methods.empty()) {
-        request.methods = all_methods();
-    } else {
-        for (const std::string& word : parse_list("--methods", options.methods)) {
-            request.methods.push_back(parse_method(word));
-        }
+    for (const std::string& word : parse_list("--methods", options.methods)) {
+        request.methods.push_back(parse_method(word));
     }
     request.devices = parse_list("--devices", options.devices);
     for (const std::string& name : request.devices) {
         require_drawing_name(name);
     }
     if (!options.lights.empty()) {
-        if (options.lights != "measured") {
-            throw UsageError(fmt::format("--lights '{}': give measured", options.lights));
-        }
         if (options.scene.has_lights()) {
             throw UsageError("--lights measured brings its own lights: leave --light out, or --lights");
         }
@@ -129,17 +131,16 @@ void compare_and_report(const CompareOptions& options) {
 void add_compare(CLI::App& app) {
     CLI::App* command = app.add_subcommand("compare", "Methods and devices side by side, against Phong per pixel");
     const auto options = std::make_shared<CompareOptions>(*command);
-    const auto add = [&command](const char* name, std::string& value, const char* words, const char* description,
-                                const char* group) {
-        command->add_option(name, value, description)->type_name(words)->group(group);
+    const auto add = [&command](const char* name, std::string& value, const char* word, const char* description) {
+        return command->add_option(name, value, description)->type_name(word)->group("Comparison");
     };
-    add("--methods,--method", options->methods, "M,...", "Methods to compare [all]", "Comparison");
-    add("--devices,--device", options->devices, "D,...", "Devices to compare [reference,hls]", "Comparison");
-    add("--lights", options->lights, "measured", "Four runs, each with one of the lights of the quality figures",
-        "Comparison");
-    add("-o,--output", options->sheet, "SHEET.png", "Contact sheet: picture and error map x16; - for standard output",
-        "Output");
-    add("--json", options->json, "FILE", "The rows as JSON; - for standard output", "Output");
+    add("--methods,--method", options->methods, "M,...", "Methods to compare [all]");
+    add("--devices,--device", options->devices, "D,...", "Devices to compare [reference,hls]");
+    add("--lights", options->lights, "measured", "Four runs, each with one of the lights of the quality figures")
+        ->check(CLI::IsMember({"measured"}));
+    add_output(*command, "-o,--output", options->sheet, "SHEET.png",
+               "Contact sheet: picture and error map x16; - for standard output");
+    add_output(*command, "--json", options->json, "FILE", "The rows as JSON; - for standard output");
     command->footer(
         "Figures are over the mesh's pixels: double against double for the reference, 8-bit against 8-bit for "
         "devices.\n"

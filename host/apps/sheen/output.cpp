@@ -48,6 +48,14 @@ int obstacle(const std::filesystem::path& path) {
 
 }  // namespace
 
+CLI::Option* add_output(CLI::App& command, const std::string& names, std::string& path, const std::string& word,
+                        const std::string& description) {
+    const auto complain_of_nothing = [](const std::string& value) {
+        return value.empty() ? std::string("give a path, or - for standard output") : std::string();
+    };
+    return command.add_option(names, path, description)->check(complain_of_nothing)->type_name(word)->group("Output");
+}
+
 Outputs::Outputs(std::vector<std::pair<std::string, std::string>> path_of_option) {
     for (auto output = path_of_option.begin(); output != path_of_option.end(); ++output) {
         const auto& [option, path] = *output;

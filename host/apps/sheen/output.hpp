@@ -3,6 +3,7 @@
 /// Where results go: files checked before the work, standard output, figures as JSON, progress.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +14,10 @@
 #include "sheen/render.hpp"
 
 namespace sheen::command {
+
+/// Adds an option whose value is the path of an output; the caller may require it. The path stays empty when not given.
+CLI::Option* add_output(CLI::App& command, const std::string& names, std::string& path, const std::string& word,
+                        const std::string& description);
 
 /// The output files of one invocation, by option; an empty path is an output that was not asked for.
 class Outputs {

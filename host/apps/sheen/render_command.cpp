@@ -114,23 +114,16 @@ void render(const RenderOptions& options) {
 void add_render(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Draw a mesh to a PNG");
     const auto options = std::make_shared<RenderOptions>(*command);
-    command->add_option("-o,--output", options->image, "The picture; - for standard output")
-        ->required()
-        ->type_name("OUT.png")
-        ->group("Output");
+    add_output(*command, "-o,--output", options->image, "OUT.png", "The picture; - for standard output")->required();
     command->add_option("--method", options->method, "flat, gouraud, quadratic; phong on the reference [quadratic]")
         ->type_name("M")
         ->group("Shading");
     command->add_option("--device", options->device, "hls, ghdl, verilator or reference [hls]")
         ->type_name("D")
         ->group("Shading");
-    command->add_option("--packets", options->packets, "Also keep the packets, 32-bit words")
-        ->type_name("FILE")
-        ->group("Output");
-    command->add_option("--pixels", options->pixels, "Also keep the pixels, 64-bit words")
-        ->type_name("FILE")
-        ->group("Output");
-    command->add_option("--stats", options->stats, "Also keep the figures")->type_name("FILE.json")->group("Output");
+    add_output(*command, "--packets", options->packets, "FILE", "Also keep the packets, 32-bit words");
+    add_output(*command, "--pixels", options->pixels, "FILE", "Also keep the pixels, 64-bit words");
+    add_output(*command, "--stats", options->stats, "FILE.json", "Also keep the figures");
     command->footer(
         "Examples:\n"
         "  sheen render builtin:torus-knot -o knot.png --size 1024x768 --rotate 30,20,0\n"

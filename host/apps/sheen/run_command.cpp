@@ -75,12 +75,10 @@ void add_run(CLI::App& app) {
         ->required()
         ->type_name("");
     command->add_option("--device", options->device, "hls, ghdl or verilator")->required()->type_name("D");
-    command
-        ->add_option("--pixels", options->pixels,
-                     "The words that come back, little-endian, 64 bits; - for standard output")
-        ->required()
-        ->type_name("FILE");
-    command->add_option("--stats", options->stats, "Also keep the figures")->type_name("FILE.json");
+    add_output(*command, "--pixels", options->pixels, "FILE",
+               "The words that come back, 64 bits; - for standard output")
+        ->required();
+    add_output(*command, "--stats", options->stats, "FILE.json", "Also keep the figures");
     command->footer(
         "Refused packets are answered by error words: the pixel file is completed, each is printed, and the exit "
         "status is 1.\n"
