@@ -7,11 +7,11 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <set>
 
 #include "sheen/error.hpp"
 #include "support/expected_pixels.hpp"
+#include "support/fits.hpp"
 #include "support/fitted_setups.hpp"
 
 namespace sheen::test {
@@ -49,22 +49,11 @@ ScreenTriangle screen_triangle(Rng& rng, const Scene& scene, const Triangle& poi
     return triangle;
 }
 
-/// A triangle on pixel centres, its edge midpoints as well.
-Triangle triangle_on_centres(Rng& rng) {
-    Triangle t{};
-    do {
-        for (SnappedPoint& p : t) p = {512 * uniform(rng, 0, 60) + 128, 512 * uniform(rng, 0, 60) + 128};
-    } while (doubled_area(t[0], t[1], t[2]) == 0);
-    return t;
-}
-
 glm::dvec3 colour_at(const TriangleShading& shading, const SnappedPoint& p) {
     const auto x = static_cast<int>((p.x - 128) / 256);
     const auto y = static_cast<int>((p.y - 128) / 256);
     return {shading.colour[0].at(x, y), shading.colour[1].at(x, y), shading.colour[2].at(x, y)};
 }
-
-SnappedPoint middle(const SnappedPoint& a, const SnappedPoint& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 
 void expect_near(const glm::dvec3& got, const glm::dvec3& expected, const std::string& what) {
     EXPECT_LT(glm::length(got - expected), 1e-8) << what
