@@ -78,14 +78,31 @@ void for_each_pixel(Body body) {
     }
 }
 
+/// True when an edge of `a` has all of `b` on its outer side; both turn clockwise (`sign` 1) or both the other way.
+bool separates(const Triangle& a, const Triangle& b, std::int64_t sign) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto outside = [&](const SnappedPoint& p) { return sign * cross(a[k], a[(k + 1) % 3], p) <= 0; };
+        if (outside(b[0]) && outside(b[1]) && outside(b[2])) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void expect_faithful(const Triangle& t) {
     const auto pieces = clip_to_image(t, width, height);
-    const std::int64_t area = doubled_area(t[0], t[1], t[2]);
+    const std::int64_t sign = doubled_area(t[0], t[1], t[2]) > 0 ? 1 : -1;
     for (const auto& piece : pieces) {
         for (const SnappedPoint& p : piece) {
             EXPECT_TRUE(p.x >= 0 && p.x <= right && p.y >= 0 && p.y <= bottom) << p.x << ", " << p.y << ", " << text(t);
         }
-        EXPECT_TRUE(doubled_area(piece[0], piece[1], piece[2]) * (area > 0 ? 1 : -1) > 0) << text(t);
+        EXPECT_TRUE(doubled_area(piece[0], piece[1], piece[2]) * sign > 0) << text(t);
+    }
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (std::size_t k = i + 1; k < pieces.size(); ++k) {
+            EXPECT_TRUE(separates(pieces[i], pieces[k], sign) || separates(pieces[k], pieces[i], sign))
+                << "pieces " << i << " and " << k << " overlap, " << text(t);
+        }
     }
     for_each_pixel([&](int x, int y) {
         const int count = count_covering(pieces, x, y);

@@ -5,12 +5,14 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <png.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -165,6 +167,23 @@ TEST_F(ImageFile, AFileThatCannotBeReplacedKeepsItsContent) {
     EXPECT_THROW(write_file_atomically(path("a.bin"), text.data(), text.size()), Error);
     EXPECT_EQ(content(path("a.bin")), "old");
     EXPECT_EQ(files(), 1);
+}
+
+TEST_F(ImageFile, AWriteThatFailsHalfwayKeepsTheOldFileAndLeavesNoOther) {
+    write_file_atomically(path("a.bin"), "old", 3);
+    // The system refuses bytes past a process's file size limit, as it does on a full disk.
+    struct rlimit before {};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    struct rlimit small = before;
+    small.rlim_cur = 1000;
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string text(5000, 'n');
+    EXPECT_THROW(write_file_atomically(path("a.bin"), text.data(), text.size()), Error);
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(content(path("a.bin")), "old");
+    EXPECT_EQ(files(), 1) << "the temporary file stays behind";
 }
 
 TEST_F(ImageFile, AReaderOfTheOldFileKeepsItWholeWhileItIsReplaced) {

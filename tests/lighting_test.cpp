@@ -80,9 +80,12 @@ TEST(Lighting, LightsAdd) {
 }
 
 TEST(Lighting, ALightStraightBehindGivesNoHighlightAndNoNan) {
-    const Material material;
-    const DirectionalLight behind{-to_eye_direction, glm::dvec3(1.0)};
-    expect_near(shade(material, {behind}, to_eye_direction, to_eye_direction), 255.0 * material.ambient);
+    for (const double shininess : {0.0, 50.0}) {
+        Material material;
+        material.shininess = shininess;
+        const DirectionalLight behind{-to_eye_direction, glm::dvec3(1.0)};
+        expect_near(shade(material, {behind}, to_eye_direction, to_eye_direction), 255.0 * material.ambient);
+    }
 }
 
 }  // namespace

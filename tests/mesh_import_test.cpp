@@ -62,6 +62,7 @@ TEST_F(MeshImport, FaultsNameFileLineAndWord) {
     EXPECT_FAULT(square + "f 1 2 9\n", "mesh.obj:5: ", "'9'");
     EXPECT_FAULT(square + "f 1 2 0\n", "mesh.obj:5: ", "'0'");
     EXPECT_FAULT(square + "f -1 -2 -5\n", "mesh.obj:5: ", "'-5'");
+    EXPECT_FAULT("v 0 0 0\nf -1 -1 -2\n" + square, "mesh.obj:2: ", "'-2'");
     EXPECT_FAULT(square + "f 1 2 99999999999999999999\n", "mesh.obj:5: ", "'99999999999999999999'");
     EXPECT_FAULT(square + "f 1 2 3x\n", "mesh.obj:5: ", "'3x'");
     EXPECT_FAULT(square + "f 1/7 2/7 3/7\n", "mesh.obj:5: ", "'1/7'");

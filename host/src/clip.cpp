@@ -69,14 +69,9 @@ std::vector<RationalPoint> clip_to_half_plane(const std::vector<RationalPoint>& 
     return result;
 }
 
-/// To nearest, halves up.
+/// To nearest, halves up; what is left after clipping is not negative.
 std::int64_t round_quotient(Wide numerator, Wide denominator) {
-    const Wide doubled = 2 * numerator + denominator;
-    Wide quotient = doubled / (2 * denominator);
-    if (doubled % (2 * denominator) < 0) {
-        --quotient;
-    }
-    return static_cast<std::int64_t>(quotient);
+    return static_cast<std::int64_t>((2 * numerator + denominator) / (2 * denominator));
 }
 
 bool strictly_inside(const SnappedPoint& point, const std::array<SnappedPoint, 3>& triangle, std::int64_t sign) {

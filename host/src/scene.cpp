@@ -97,10 +97,10 @@ std::vector<ScreenTriangle> project(const Scene& scene) {
         }
         const std::array<SnappedPoint, 3> points{triangle.vertices[0].point, triangle.vertices[1].point,
                                                  triangle.vertices[2].point};
-        // Counter-clockwise for the viewer is a negative area, as y points down on the screen.
-        const std::int64_t area = doubled_area(points[0], points[1], points[2]);
-        const bool back_face = area > 0;
-        if (area == 0 || (back_face && !scene.two_sided)) {
+        // Counter-clockwise for the viewer is a negative area, as y points down on the screen. Of a triangle without
+        // area clipping leaves nothing.
+        const bool back_face = doubled_area(points[0], points[1], points[2]) > 0;
+        if (back_face && !scene.two_sided) {
             continue;
         }
         triangle.pieces = clip_to_image(points, scene.width, scene.height);
