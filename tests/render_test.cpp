@@ -85,8 +85,10 @@ TEST(render, a_missing_wrong_early_or_doubled_echo_is_an_error) {
 }
 
 TEST(render, an_error_word_a_query_reply_and_a_pixel_outside_are_errors) {
-    const std::string refused = complaint({message(sheen::hls::message_error, 0x03010001), echo()});
-    EXPECT_NE(refused.find("0x03010001"), std::string::npos) << refused;
+    const std::uint64_t refusal = message(sheen::hls::message_error, 0x03010001);
+    for (const Words64& words : {Words64{refusal, echo()}, Words64{pixel(0, 0, 1, 1), refusal}}) {
+        EXPECT_NE(complaint(words).find("0x03010001"), std::string::npos) << complaint(words);
+    }
     EXPECT_NE(complaint({message(sheen::hls::message_query, 0), echo()}), "");
     EXPECT_NE(complaint({pixel(8, 0, 1, 1), echo()}), "");
     EXPECT_NE(complaint({pixel(0, 6, 1, 1), echo()}), "");
