@@ -98,7 +98,7 @@ $(SETUP): build/setup/%: scripts/setup.sh
 
 .PHONY: build install generate check-generated bench
 build: $(SETUP)
-	$(build_release) all
+	$(build_release) all product
 
 install: $(SETUP)
 	$(build_release) product
@@ -139,7 +139,7 @@ test-vhdl: build
 
 test-sanitize: $(SETUP)
 	@$(CONFIGURE) -B build/sanitize -DSHEEN_SANITIZE=ON -DAC_TYPES_OLD=
-	@cmake --build build/sanitize -j $(JOBS)
+	@cmake --build build/sanitize -j $(JOBS) --target all product
 	@$(CTEST) --test-dir build/sanitize
 
 test-install: build
@@ -150,7 +150,7 @@ test-full: test test-sanitize test-install
 ##### Lint
 
 .PHONY: lint lint-files lint-format lint-vhdl lint-kernels lint-headers lint-tidy format
-lint: lint-files lint-format lint-kernels lint-vhdl check-generated lint-headers lint-tidy build
+lint: lint-files lint-format lint-kernels lint-vhdl check-generated lint-headers build lint-tidy
 	@echo "lint: nothing found"
 
 lint-files:

@@ -17,15 +17,14 @@ warnings=(-Wlibrary -Wdefault-binding -Wbinding -Wport -Wreserved -Wnested-comme
     -Wbody -Wspecs -Wuniversal -Wruntime-error -Wshared -Whide -Wunused -Wothers -Wpure -Wstatic -Wport-bounds
     -Wanalyze-assert -Wattribute -Wuseless --warn-error)
 
-"$ghdl" -i "${options[@]}" rtl_vhdl/generated/*.vhd rtl_vhdl/*.vhd
-mapfile -t entities < <(grep -hoP '^entity \K\w+' rtl_vhdl/*.vhd)
-for entity in "${entities[@]}"; do
-    "$ghdl" elab-order "${options[@]}" "$entity"
-done >"$scratch/order"
-# A file's units come before their users; each file once, where it is first needed.
-mapfile -t sources < <(awk '!seen[$0]++' "$scratch/order")
+# files.txt has every source, users after what they use.
+mapfile -t sources < <(sed 's|^|rtl_vhdl/|' rtl_vhdl/files.txt)
+if ! diff <(printf '%s\n' "${sources[@]}" | sort) <(printf '%s\n' rtl_vhdl/*.vhd rtl_vhdl/generated/*.vhd | sort); then
+    echo "lint_vhdl: rtl_vhdl/files.txt (<) and the folder (>) differ" >&2
+    exit 1
+fi
 "$ghdl" -a "${options[@]}" "${warnings[@]}" "${sources[@]}"
-echo "lint_vhdl: ${#sources[@]} files analysed, ${#entities[@]} entities, no warning"
+echo "lint_vhdl: ${#sources[@]} files analysed, no warning"
 
 build/venv/bin/vsg --configuration scripts/vsg.yaml --all_phases --output_format syntastic \
     --filename rtl_vhdl/*.vhd testbench/*.vhd
