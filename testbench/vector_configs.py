@@ -29,7 +29,7 @@ def write_vectors(program, folder):
     return subprocess.run([program, folder, str(SEED), str(COUNT)], check=False).returncode == 0
 
 
-def remove_vectors(folder, _output_path):
+def remove_vectors(folder):
     """Remove the vectors of a configuration that has passed."""
     shutil.rmtree(folder)
     return True
