@@ -13,7 +13,11 @@
 --
 -- Framing: every beat but the last is full, the last one holds exactly the words that the header announces and carries
 -- `last`. Anything else, an unknown opcode, or a length or flag that the core can't serve gives one message and is
--- skipped up to the next `last`; what stands before and after it is not touched.
+-- skipped up to the next `last`; what stands before and after it is not touched. The header is judged in two clocks
+-- while the payload arrives:
+--
+--   clock      t         t+1                     t+2               t+3
+--   header     taken     opcode, flags, length   lengths compared  code valid
 --
 -- Number formats: docs/packet-protocol.md. Latency: 1 clock from the last beat to job.valid (2 for a message).
 -- Model: hls/include/sheen/hls/packet_decoder.hpp.
@@ -80,66 +84,68 @@ architecture rtl of packet_decoder is
     return channel_base + channel * packet_words + k;
   end function position;
 
-  type phase_of_packet_t is (expect_header, payload, message, skip);
+  subtype length_t is unsigned(header_length_bits - 1 downto 0);
+  subtype keep_t is std_ulogic_vector(words_per_beat - 1 downto 0);
+  subtype code_t is std_ulogic_vector(1 downto 0);
+
+  type phase_of_packet_t is (expect_header, payload, message);
   signal phase : phase_of_packet_t := expect_header;
 
   constant beat_index_bits : positive := 6;
-  constant all_present     : std_ulogic_vector(words_per_beat - 1 downto 0) := (others => '1');
+  constant all_present     : keep_t   := (others => '1');
+  constant one_present     : keep_t   := (0 => '1', others => '0');
 
   signal beat_index : unsigned(beat_index_bits - 1 downto 0);
+  signal broken     : std_ulogic;                              -- the framing is not what the header announces
   signal header     : word_t;
   signal held       : word_vector_t(0 to words_per_beat - 1);  -- the header's beat, until the job before is taken
-  signal code       : std_ulogic_vector(1 downto 0);           -- of the message under way
-  signal skip_after : std_ulogic;                              -- the packet's last beat is still to come
   signal pending    : std_ulogic := '0';
   signal registers  : word_vector_t(0 to register_count - 1);
 
+  -- What the header says by itself.
+  signal age         : unsigned(1 downto 0) := "00";  -- clocks since the header came, up to 3
+  signal triangle    : std_ulogic;
+  signal answered    : std_ulogic;                    -- a query or a fence
+  signal known       : std_ulogic;
+  signal served      : std_ulogic;                    -- triangle: this core has what the flags ask for
+  signal expected    : unsigned(6 downto 0);          -- its payload words
+  signal final_index : unsigned(beat_index_bits - 1 downto 0);
+  signal final_keep  : keep_t;
+  signal code        : code_t;                        -- error code, 0 for none; valid at age 3
+
   signal accept       : std_ulogic;
   signal payload_beat : std_ulogic;
+  signal sound        : std_ulogic;
+  signal complete     : std_ulogic;
+  signal emit         : std_ulogic;
 
-  -- 0, or the error code that a header deserves by itself.
-  function classify (word : word_t) return natural is
-    constant opcode        : natural                       := to_integer(unsigned(word(31 downto header_opcode_lsb)));
-    constant length        : unsigned(header_length_bits - 1 downto 0) := unsigned(word(header_length_bits - 1 downto 0));
-    variable log_words     : unsigned(6 downto 0);
-    variable expected      : unsigned(6 downto 0);
-    variable log_channels  : unsigned(1 downto 0);
+  constant no_code           : code_t := "00";
+  constant code_unknown      : code_t := std_ulogic_vector(to_unsigned(error_unknown_opcode, 2));
+  constant code_bad_length   : code_t := std_ulogic_vector(to_unsigned(error_bad_length, 2));
+  constant code_unsupported  : code_t := std_ulogic_vector(to_unsigned(error_unsupported, 2));
+
+  function opcode_of (word : word_t) return unsigned is
   begin
-    if opcode > opcode_fence then
-      return error_unknown_opcode;
-    elsif opcode = opcode_query or opcode = opcode_fence then
-      if length /= 0 then
-        return error_bad_length;
-      end if;
-      return 0;
-    elsif opcode /= opcode_triangle then
-      return error_unsupported;
-    end if;
-    log_channels := unsigned(word(flag_log_channels_lsb + 1 downto flag_log_channels_lsb));
-    if word(flag_linear_bit) then
-      expected  := to_unsigned(channel_base + colour_channels * linear_words, 7);
-      log_words := to_unsigned(linear_words, 7);
-    else
-      expected  := to_unsigned(channel_base + colour_channels * quadratic_words, 7);
-      log_words := to_unsigned(quadratic_words, 7);
-    end if;
-    if log_channels(0) then
-      expected := expected + log_words;
-    end if;
-    if log_channels(1) then
-      expected := expected + (log_words sll 1);
-    end if;
-    if word(flag_depth_bit) then
-      expected := expected + linear_words;
-    end if;
-    if length /= expected then
-      return error_bad_length;
-    elsif (word(flag_linear_bit) = '0' and not has_quadratic) or (word(flag_depth_bit) = '1' and not has_depth)
-          or word(header_opcode_lsb - 1 downto flag_log_channels_lsb) /= "00000" then
-      return error_unsupported;
-    end if;
-    return 0;
-  end function classify;
+    return unsigned(word(word_bits - 1 downto header_opcode_lsb));
+  end function opcode_of;
+
+  -- Payload words of a triangle packet, by its flags: number of log channels, depth, linear.
+  subtype word_count_t is unsigned(6 downto 0);
+  type lengths_t is array (0 to 15) of word_count_t;
+
+  function make_lengths return lengths_t is
+    variable words_of_channel : positive;
+    variable result           : lengths_t;
+  begin
+    for flags in lengths_t'range loop
+      words_of_channel := choose(flags mod 2 = 1, linear_words, quadratic_words);
+      result(flags)    := to_unsigned(channel_base + (colour_channels + flags / 4) * words_of_channel
+                                      + choose(flags / 2 mod 2 = 1, linear_words, 0), word_count_t'length);
+    end loop;
+    return result;
+  end function make_lengths;
+
+  constant lengths : lengths_t := make_lengths;
 
   -- Beat and lane of word number n; the header is word 0.
   function beat_of (n : natural) return natural is
@@ -161,89 +167,125 @@ begin
   beat_ready   <= '0' when phase = message or (phase = payload and pending = '1') else '1';
   accept       <= beat_valid and beat_ready;
   payload_beat <= accept and to_std_ulogic(phase = payload);
+  complete     <= payload_beat and beat_last and sound and to_std_ulogic(age = 3 and code = no_code);
+  emit         <= to_std_ulogic(phase = message and age = 3) and not pending;
   job.valid    <= pending;
   words        <= registers;
 
+  framing : process (all) is
+    variable inner : std_ulogic;
+    variable outer : std_ulogic;
+  begin
+    inner := not beat_last and to_std_ulogic(beat_keep = all_present);
+    outer := beat_last and to_std_ulogic(beat_keep = final_keep);
+    -- No packet of two beats is sound, so the beat right behind the header need not wait for the verdict.
+    if age = 1 then
+      sound <= inner and not broken;
+    elsif beat_index = final_index then
+      sound <= outer and triangle and not broken;
+    else
+      sound <= inner and triangle and not broken;
+    end if;
+  end process framing;
+
   control : process (clk) is
-    variable header_code : natural range 0 to 3;
-    variable is_triangle : boolean;
-    variable whole       : boolean;
-    variable length      : unsigned(header_length_bits - 1 downto 0);
-    variable at_final    : boolean;
-    variable final_keep  : std_ulogic_vector(words_per_beat - 1 downto 0);
   begin
     if rising_edge(clk) then
       if job_taken then
         pending <= '0';
       end if;
 
-      case phase is
-
-        when expect_header =>
-          if accept then
-            header_code := classify(beat_words(0));
-            is_triangle := unsigned(beat_words(0)(31 downto header_opcode_lsb)) = opcode_triangle;
-            if is_triangle then
-              whole := beat_last = '0' and beat_keep = all_present;
-            else
-              whole := beat_last = '1' and unsigned(beat_keep) = 1;
-            end if;
-            header     <= beat_words(0);
-            held       <= beat_words;
-            beat_index <= to_unsigned(1, beat_index_bits);
-            skip_after <= not beat_last;
-            code       <= std_ulogic_vector(to_unsigned(header_code, 2));
-            if header_code = 0 and not whole then
-              code <= std_ulogic_vector(to_unsigned(error_bad_length, 2));
-            end if;
-            phase <= payload when is_triangle and whole and header_code = 0 else message;
+      if accept then
+        if phase = expect_header then
+          header     <= beat_words(0);
+          held       <= beat_words;
+          beat_index <= to_unsigned(1, beat_index_bits);
+          if beat_last then
+            broken <= not to_std_ulogic(beat_keep = one_present and opcode_of(beat_words(0)) /= opcode_triangle);
+          else
+            broken <= not to_std_ulogic(beat_keep = all_present);
           end if;
+        else
+          beat_index <= beat_index + 1;
+          broken     <= not sound;
+        end if;
+        if not beat_last then
+          phase <= payload;
+        elsif complete then
+          phase <= expect_header;
+        else
+          phase <= message;
+        end if;
+      end if;
 
-        when payload =>
-          if accept then
-            length     := unsigned(header(header_length_bits - 1 downto 0));
-            at_final   := beat_index = length / words_per_beat;
-            final_keep := (others => '0');
-            for lane in 0 to words_per_beat - 1 loop
-              final_keep(lane) := to_std_ulogic(lane <= to_integer(length mod words_per_beat));
-            end loop;
-            beat_index <= beat_index + 1;
-            skip_after <= not beat_last;
-            code       <= std_ulogic_vector(to_unsigned(error_bad_length, 2));
-            if at_final and beat_last = '1' and beat_keep = final_keep then
-              pending    <= '1';
-              job.message  <= '0';
-              job.leftward <= header(flag_leftward_bit);
-              job.linear   <= header(flag_linear_bit);
-              job.depth    <= header(flag_depth_bit);
-              phase        <= expect_header;
-            elsif at_final or beat_last = '1' or beat_keep /= all_present then
-              phase <= message;
-            end if;
-          end if;
+      if complete then
+        pending      <= '1';
+        job.message  <= '0';
+        job.leftward <= header(flag_leftward_bit);
+        job.linear   <= header(flag_linear_bit);
+        job.depth    <= header(flag_depth_bit);
+      end if;
 
-        when message =>
-          if not pending then
-            pending   <= '1';
-            job.message <= '1';
-            job.code    <= code;
-            job.header  <= header;
-            phase       <= skip when skip_after else expect_header;
-          end if;
-
-        when skip =>
-          if accept and beat_last then
-            phase <= expect_header;
-          end if;
-
-      end case;
+      if emit then
+        pending     <= '1';
+        job.message <= '1';
+        job.header  <= header;
+        job.code    <= code;
+        if code = no_code and broken = '1' then
+          job.code <= code_bad_length;
+        end if;
+        phase <= expect_header;
+      end if;
 
       if rst then
-        phase     <= expect_header;
+        phase   <= expect_header;
         pending <= '0';
       end if;
     end if;
   end process control;
+
+  judge : process (clk) is
+    variable length : length_t;
+  begin
+    if rising_edge(clk) then
+      if accept = '1' and phase = expect_header then
+        age <= "01";
+      elsif age /= 3 then
+        age <= age + 1;
+      end if;
+
+      -- First clock: what each field means.
+      length   := unsigned(header(header_length_bits - 1 downto 0));
+      triangle <= to_std_ulogic(opcode_of(header) = opcode_triangle);
+      answered <= to_std_ulogic(opcode_of(header) = opcode_query or opcode_of(header) = opcode_fence);
+      known    <= to_std_ulogic(opcode_of(header) <= opcode_fence);
+      served   <= to_std_ulogic(header(header_opcode_lsb - 1 downto flag_log_channels_lsb) = "00000"
+                                and (has_depth or header(flag_depth_bit) = '0')
+                                and (has_quadratic or header(flag_linear_bit) = '1'));
+      expected <= (others => '0');
+      if opcode_of(header) = opcode_triangle then
+        expected <= lengths(to_integer(unsigned(header(flag_log_channels_lsb + 1 downto flag_linear_bit))));
+      end if;
+      -- The header is word 0, so the last word is number `length`.
+      final_index <= resize(length / words_per_beat, beat_index_bits);
+      for lane in 0 to words_per_beat - 1 loop
+        final_keep(lane) <= to_std_ulogic(lane <= to_integer(length mod words_per_beat));
+      end loop;
+
+      -- Second clock: the verdict.
+      if not known then
+        code <= code_unknown;
+      elsif not (triangle or answered) then
+        code <= code_unsupported;
+      elsif length /= expected then
+        code <= code_bad_length;
+      elsif not (served or answered) then
+        code <= code_unsupported;
+      else
+        code <= no_code;
+      end if;
+    end if;
+  end process judge;
 
   storage : for r in 0 to register_count - 1 generate
     constant quadratic_place : integer := position(r, false);

@@ -6,6 +6,8 @@
 /// a complete packet raises job.valid until the edge walker takes it. The header of the packet after that is taken in
 /// the meantime, so a stream that is never late costs no clock between packets.
 ///
+/// The header is judged in two clocks while the payload arrives; a message waits for the packet's last beat.
+///
 /// Framing: every beat but the last is full, the last one holds exactly the words that the header announces and carries
 /// `last`. Anything else, an unknown opcode, or a length or flag that the core can't serve gives one message and is
 /// skipped up to the next `last`; what stands before and after it is not touched.
@@ -36,7 +38,10 @@ struct packet_decoder {
     static constexpr int register_count = depth_base + (has_depth ? linear_words : 0);
     static constexpr int beat_index_bits = 6;
 
-    enum phase_of_packet { expect_header, payload, message, skip };
+    using length_t = ac_int<header_length_bits, false>;
+    using keep_t = ac_int<words_per_beat, false>;
+
+    enum phase_of_packet { expect_header, payload, message };
 
     struct beat_t {
         bit_t valid = 0;
@@ -45,13 +50,23 @@ struct packet_decoder {
         word_t words[words_per_beat];
     };
 
+    /// What a header says by itself, worked out in two clocks.
+    struct verdict_t {
+        ac_int<2, false> age = 0;  ///< clocks since the header came, up to 3
+        bit_t triangle = 0, answered = 0, known = 0, served = 0;
+        length_t expected = 0;
+        ac_int<beat_index_bits, false> final_index = 0;  ///< the last beat's
+        keep_t final_keep = 0;
+        ac_int<2, false> code = 0;  ///< error code, 0 for none; valid at age 3
+    };
+
     struct state_t {
         ac_int<2, false> phase = expect_header;
         ac_int<beat_index_bits, false> beat_index = 0;
-        ac_int<2, false> code = 0;  ///< of the message under way
-        bit_t skip_after = 0;       ///< the packet's last beat is still to come
+        bit_t broken = 0;  ///< the packet's framing is not what its header announces
         word_t header = 0;
-        word_t held[words_per_beat];  ///< payload words of the header's beat; they wait until the job before is taken
+        word_t held[words_per_beat];  ///< the header's beat: its payload words wait until the job before is taken
+        verdict_t verdict;
         job_t job;
         word_t words[register_count];
     };
@@ -68,44 +83,37 @@ struct packet_decoder {
         const bit_t accept = beat.valid & ready(state);
         const bit_t header_beat = accept & bit_t(state.phase == expect_header);
         const bit_t payload_beat = accept & bit_t(state.phase == payload);
-        const bit_t emit = bit_t(state.phase == message) & ~state.job.valid;
-        const bit_t skip_beat = accept & bit_t(state.phase == skip);
+        const bit_t judged = bit_t(state.verdict.age == 3);
+        const bit_t emit = bit_t(state.phase == message) & judged & ~state.job.valid;
 
-        // What the header says.
-        const word_t header = beat.words[0];
-        const bit_t header_triangle = bit_t(opcode(header) == opcode_triangle);
-        const ac_int<2, false> header_code = classify(header);
-        const bit_t whole =
-            select(header_triangle, bit_t(~beat.last & full(beat)), bit_t(beat.last & bit_t(beat.keep == 1)));
-        const bit_t header_good = bit_t(header_code == 0) & whole;
-        const bit_t begin = header_beat & header_triangle & header_good;
+        // Framing: what a beat should look like, and what is wrong with it.
+        const bit_t full = bit_t(beat.keep == (1 << words_per_beat) - 1);
+        const bit_t alone = beat.last & bit_t(beat.keep == 1) & bit_t(opcode(beat.words[0]) != opcode_triangle);
+        const bit_t inner = ~beat.last & full;
+        const bit_t at_final = bit_t(state.beat_index == state.verdict.final_index);
+        const bit_t outer = beat.last & bit_t(beat.keep == state.verdict.final_keep);
+        // No packet of two beats is sound, so the beat right behind the header need not wait for the verdict.
+        const bit_t early = bit_t(state.verdict.age == 1);
+        const bit_t sound =
+            ~state.broken & select(early, inner, bit_t(state.verdict.triangle & select(at_final, outer, inner)));
+        const bit_t complete = payload_beat & beat.last & sound & judged & bit_t(state.verdict.code == 0);
+        next.broken = select(header_beat, bit_t(~(alone | inner)), select(payload_beat, bit_t(~sound), state.broken));
 
-        // What the payload's framing says.
-        const length_t length = state.header.template slc<header_length_bits>(0);
-        const bit_t at_final = bit_t(state.beat_index == ac_int<beat_index_bits, false>(length >> beat_shift));
-        const bit_t complete = payload_beat & at_final & beat.last & bit_t(beat.keep == final_keep(length));
-        const bit_t proceed = payload_beat & ~at_final & ~beat.last & full(beat);
-        const bit_t broken = payload_beat & ~complete & ~proceed;
-
-        const bit_t to_message = (header_beat & ~begin) | broken;
-        const ac_int<2, false> bad_length = error_bad_length;
-        const ac_int<2, false> framing_code = select(whole, ac_int<2, false>(0), bad_length);
-        const ac_int<2, false> message_code =
-            select(broken, bad_length, select(bit_t(header_code == 0), framing_code, header_code));
-
-        next.phase = select(begin | proceed, phase_t2(payload), next.phase);
-        next.phase = select(to_message, phase_t2(message), next.phase);
-        next.phase = select(complete | (skip_beat & beat.last), phase_t2(expect_header), next.phase);
-        next.phase = select(emit, select(state.skip_after, phase_t2(skip), phase_t2(expect_header)), next.phase);
-        next.code = select(to_message, message_code, state.code);
-        next.skip_after = select(to_message, bit_t(~beat.last), state.skip_after);
-        next.header = select(header_beat, header, state.header);
+        using phase_t2 = ac_int<2, false>;
+        const phase_t2 at_last = select(complete, phase_t2(expect_header), phase_t2(message));
+        next.phase = select(accept, select(beat.last, at_last, phase_t2(payload)), next.phase);
+        next.phase = select(emit, phase_t2(expect_header), next.phase);
+        next.header = select(header_beat, beat.words[0], state.header);
         next.beat_index = select(header_beat, ac_int<beat_index_bits, false>(1),
                                  ac_int<beat_index_bits, false>(state.beat_index + payload_beat));
+        next.verdict = judge(state, header_beat);
 
         next.job.valid = (state.job.valid & ~taken) | complete | emit;
         next.job.message = select(emit, bit_t(1), select(complete, bit_t(0), state.job.message));
-        next.job.code = select(emit, state.code, state.job.code);
+        const ac_int<2, false> framing_code =
+            select(state.broken, ac_int<2, false>(error_bad_length), ac_int<2, false>(0));
+        next.job.code =
+            select(emit, select(bit_t(state.verdict.code == 0), framing_code, state.verdict.code), state.job.code);
         next.job.header = select(emit, state.header, state.job.header);
         next.job.leftward = select(complete, bit_t(state.header[flag_leftward_bit]), state.job.leftward);
         next.job.linear = select(complete, bit_t(state.header[flag_linear_bit]), state.job.linear);
@@ -143,45 +151,45 @@ struct packet_decoder {
     }
 
  private:
-    using phase_t2 = ac_int<2, false>;
-    using length_t = ac_int<header_length_bits, false>;
-    using keep_t = ac_int<words_per_beat, false>;
-
     static ac_int<8, false> opcode(const word_t& header) { return header.template slc<8>(header_opcode_lsb); }
 
-    static bit_t full(const beat_t& beat) { return bit_t(beat.keep == (1 << words_per_beat) - 1); }
-
-    /// Presence of the words of the last beat: word number `length` (the header is word 0) is the last one.
-    static keep_t final_keep(const length_t& length) {
-        const ac_int<3, false> lane = length & (words_per_beat - 1);
-        return keep_t((ac_int<5, false>(2) << lane) - 1);
-    }
-
-    /// 0, or the error code that a header deserves by itself.
-    static ac_int<2, false> classify(const word_t& header) {
+    /// The verdict on state.header: the first clock looks at opcode and flags, the second compares lengths.
+    static verdict_t judge(const state_t& state, bit_t header_beat) {
         using code_t = ac_int<2, false>;
-        const ac_int<8, false> op = opcode(header);
+        const word_t header = state.header;
+        const verdict_t& v = state.verdict;
         const length_t length = header.template slc<header_length_bits>(0);
+        verdict_t next;
+        next.age =
+            select(header_beat, ac_int<2, false>(1), select(bit_t(v.age == 3), v.age, ac_int<2, false>(v.age + 1)));
+
+        const ac_int<8, false> op = opcode(header);
         const bit_t linear = header[flag_linear_bit];
         const bit_t depth = header[flag_depth_bit];
-        const length_t colour_words =
-            select(linear, length_t(colour_channels * linear_words), length_t(colour_channels * quadratic_words));
-        const length_t log_words = select(linear, length_t(linear_words), length_t(quadratic_words));
         const ac_int<2, false> log_channels = header.template slc<flag_log_channels_bits>(flag_log_channels_lsb);
         const length_t none = 0;
-        const length_t expected = channel_base + colour_words + select(bit_t(log_channels[0]), log_words, none) +
-                                  select(bit_t(log_channels[1]), length_t(log_words << 1), none) +
-                                  select(depth, length_t(linear_words), none);
-        const bit_t served = bit_t(header.template slc<5>(flag_log_channels_lsb) == 0) &
-                             (depth ? bit_t(has_depth) : bit_t(1)) & (linear | bit_t(has_quadratic));
-        const code_t triangle_code = select(bit_t(length != expected), code_t(error_bad_length),
-                                            select(served, code_t(0), code_t(error_unsupported)));
-        const code_t empty_code = select(bit_t(length != 0), code_t(error_bad_length), code_t(0));
-        const bit_t known = bit_t(op <= opcode_fence);
-        const bit_t answered = bit_t(op == opcode_query) | bit_t(op == opcode_fence);
-        const code_t other_code = select(answered, empty_code, code_t(error_unsupported));
-        return select(bit_t(op == opcode_triangle), triangle_code,
-                      select(known, other_code, code_t(error_unknown_opcode)));
+        const length_t colour_words = select(linear, length_t(channel_base + colour_channels * linear_words),
+                                             length_t(channel_base + colour_channels * quadratic_words));
+        const length_t log_words = select(linear, length_t(linear_words), length_t(quadratic_words));
+        next.triangle = bit_t(op == opcode_triangle);
+        next.answered = bit_t(op == opcode_query) | bit_t(op == opcode_fence);
+        next.known = bit_t(op <= opcode_fence);
+        next.served = bit_t(header.template slc<5>(flag_log_channels_lsb) == 0) & (bit_t(has_depth) | ~depth) &
+                      (bit_t(has_quadratic) | linear);
+        next.expected = select(next.triangle,
+                               length_t(colour_words + select(bit_t(log_channels[0]), log_words, none) +
+                                        select(bit_t(log_channels[1]), length_t(log_words << 1), none) +
+                                        select(depth, length_t(linear_words), none)),
+                               none);
+        // The header is word 0, so the last word is number `length`.
+        next.final_index = length >> beat_shift;
+        next.final_keep = keep_t((ac_int<5, false>(2) << ac_int<2, false>(length & (words_per_beat - 1))) - 1);
+
+        const code_t refused = select(v.served | v.answered, code_t(0), code_t(error_unsupported));
+        const code_t length_code = select(bit_t(length == v.expected), refused, code_t(error_bad_length));
+        const code_t known_code = select(v.triangle | v.answered, length_code, code_t(error_unsupported));
+        next.code = select(v.known, known_code, code_t(error_unknown_opcode));
+        return next;
     }
 
     /// Payload index of register r in a quadratic or linear packet; −1: not in it.
