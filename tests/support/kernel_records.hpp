@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Setups and beats as the records that the kernels take.
+#pragma once
+
+#include "packet_stream.hpp"
+#include "sheen/hls/types.hpp"
+
+namespace sheen::test {
+
+/// The geometry fields, each modulo 2^12.
+inline hls::geometry_t geometry_of(const TriangleWalk& walk) {
+    hls::geometry_t g;
+    g.x = walk.x;
+    g.y = walk.y;
+    g.rows_above = walk.rows_above;
+    g.rows_below = walk.rows_below;
+    g.kappa = walk.kappa;
+    g.length = walk.length;
+    g.m = walk.m;
+    g.length_reload = walk.length_reload;
+    g.m_below = walk.m_below;
+    g.long_phase = walk.long_edge.phase;
+    g.long_step = walk.long_edge.step;
+    g.upper_phase = walk.upper.phase;
+    g.upper_step = walk.upper.step;
+    g.lower_phase = walk.lower.phase;
+    g.lower_step = walk.lower.step;
+    return g;
+}
+
+/// The beat as the decoder's input, valid.
+template <typename decoder>
+typename decoder::beat_t beat_of(const StreamBeat& beat) {
+    typename decoder::beat_t b;
+    b.valid = 1;
+    b.last = beat.last;
+    b.keep = static_cast<int>(beat.keep);
+    constexpr int words = sizeof(b.words) / sizeof(b.words[0]);
+    for (int k = 0; k < words; ++k) b.words[k] = beat.words[static_cast<std::size_t>(k)];
+    return b;
+}
+
+/// A beat that is not there: noise that nothing may look at.
+template <typename decoder>
+typename decoder::beat_t no_beat(Rng& rng) {
+    StreamBeat noise;
+    for (std::uint32_t& word : noise.words) word = static_cast<std::uint32_t>(rng());
+    noise.keep = static_cast<unsigned>(rng() & 1U);
+    noise.last = (rng() & 1U) != 0;
+    typename decoder::beat_t b = beat_of<decoder>(noise);
+    b.valid = 0;
+    return b;
+}
+
+}  // namespace sheen::test
