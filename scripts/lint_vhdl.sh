@@ -26,6 +26,6 @@ fi
 "$ghdl" -a "${options[@]}" "${warnings[@]}" "${sources[@]}"
 echo "lint_vhdl: ${#sources[@]} files analysed, no warning"
 
-build/venv/bin/vsg --configuration scripts/vsg.yaml --all_phases --output_format syntastic \
-    --filename rtl_vhdl/*.vhd testbench/*.vhd
-echo "lint_vhdl: style of $(ls rtl_vhdl/*.vhd testbench/*.vhd | wc -l) files, no finding"
+mapfile -t styled < <(find rtl_vhdl testbench -name '*.vhd' -not -path '*/generated/*' | sort)
+build/venv/bin/vsg --configuration scripts/vsg.yaml --all_phases --output_format syntastic --filename "${styled[@]}"
+echo "lint_vhdl: style of ${#styled[@]} files, no finding"
