@@ -40,7 +40,7 @@ def main():
     cli = VUnitCLI(description=__doc__.splitlines()[0])
     cli.parser.add_argument("--vectors", type=Path,
                             default=os.environ.get("VECTORS", ROOT / "build" / "release" / "vectors"),
-                            help="folder of the programs make_vectors_<unit>; default: $VECTORS or build/release/vectors")
+                            help="folder of the programs make_vectors_<unit> ($VECTORS, or build/release/vectors)")
     arguments = cli.parse_args()
     vunit = VUnit.from_args(args=arguments, compile_builtins=False, vhdl_standard="2008")
     vunit.add_vhdl_builtins()

@@ -134,7 +134,8 @@ begin
         fragment.valid <= '0';
         for clock in 1 to latency loop
           wait until rising_edge(clk);
-          check_equal(valid, to_std_ulogic(clock = latency), "valid " & to_string(clock) & " clocks after the fragment");
+          check_equal(valid, to_std_ulogic(clock = latency),
+                      "valid " & to_string(clock) & " clocks after the fragment");
         end loop;
 
       elsif run("reset_empties_the_pipeline") then
