@@ -8,6 +8,31 @@
 
 namespace sheen::test {
 
+/// The shape of a core as a type.
+template <int words_per_beat_, bool has_depth_, bool has_quadratic_>
+struct shape_t {
+    static constexpr int words_per_beat = words_per_beat_;
+    static constexpr bool has_depth = has_depth_;
+    static constexpr bool has_quadratic = has_quadratic_;
+    static CoreShape value() { return {words_per_beat, has_depth, has_quadratic}; }
+};
+
+template <int words_per_beat, typename Visit>
+void for_each_shape_of_width(Visit visit) {
+    visit(shape_t<words_per_beat, false, false>{});
+    visit(shape_t<words_per_beat, false, true>{});
+    visit(shape_t<words_per_beat, true, false>{});
+    visit(shape_t<words_per_beat, true, true>{});
+}
+
+/// Calls visit(shape_t) for each of the twelve shapes.
+template <typename Visit>
+void for_each_shape(Visit visit) {
+    for_each_shape_of_width<1>(visit);
+    for_each_shape_of_width<2>(visit);
+    for_each_shape_of_width<4>(visit);
+}
+
 /// The geometry fields, each modulo 2^12.
 inline hls::geometry_t geometry_of(const TriangleWalk& walk) {
     hls::geometry_t g;

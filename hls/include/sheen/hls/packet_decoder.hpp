@@ -69,6 +69,12 @@ struct packet_decoder {
         verdict_t verdict;
         job_t job;
         word_t words[register_count];
+
+        /// An ac_int that nothing has set may hold bits above its width, which select() would keep for ever.
+        state_t() {
+            for (word_t& word : held) word = 0;
+            for (word_t& word : words) word = 0;
+        }
     };
 
     /// True when the beat offered in this clock is taken.
