@@ -20,7 +20,8 @@ import sys
 import llvm_ir
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FLAGS = ["-std=c++17", "-O2", "-DNDEBUG", "-fno-exceptions", "-fno-rtti", "-fno-vectorize", "-fno-slp-vectorize",
+FLAGS = ["-std=c++17", "-O2", "-DNDEBUG", "-DSHEEN_CHANNEL_PORTS",  # ac_channel as the port that a tool makes of it
+         "-fno-exceptions", "-fno-rtti", "-fno-vectorize", "-fno-slp-vectorize",
          "-fno-discard-value-names", "-mllvm", "-unroll-threshold=4000",
          "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror", "-emit-llvm", "-S"]
 

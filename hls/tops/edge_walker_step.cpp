@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Top for an HLS tool: one clock of edge_walker. Scalar ports only: the state's words in and out, the registers stand
+/// around it. Fields share a port where they are narrow, from bit 0 up in the order of the record.
+#include <cstdint>
+
+#include "sheen/hls/edge_walker.hpp"
+
+namespace {
+
+using namespace sheen::hls;
+using port_t = ac_int<64, false>;
+
+/// Two words of 32 bits as one port.
+port_t pair(const phase_t& low, const phase_t& high) {
+    port_t port = 0;
+    port.set_slc(0, low);
+    port.set_slc(phase_bits, high);
+    return port;
+}
+
+/// Five coordinates as one port.
+port_t fields(const coordinate_t& a, const coordinate_t& b, const coordinate_t& c, const coordinate_t& d,
+              const coordinate_t& e) {
+    port_t port = 0;
+    port.set_slc(0, a);
+    port.set_slc(coordinate_bits, b);
+    port.set_slc(2 * coordinate_bits, c);
+    port.set_slc(3 * coordinate_bits, d);
+    port.set_slc(4 * coordinate_bits, e);
+    return port;
+}
+
+phase_t word(const port_t& port, int index) { return port.slc<phase_bits>(index * phase_bits); }
+
+coordinate_t field(const port_t& port, int index) { return port.slc<coordinate_bits>(index * coordinate_bits); }
+
+bit_t flag(const port_t& port, int index) { return port[static_cast<unsigned>(index)]; }
+
+edge_walker::state_t state_of(const port_t& flags, const port_t& position, const port_t& steps, const port_t& long_edge,
+                              const port_t& end_edge, const port_t& lower_edge) {
+    edge_walker::state_t s;
+    s.walk = flags.slc<2>(0);
+    s.below = flag(flags, 2);
+    s.none_below = flag(flags, 3);
+    s.last_row = flag(flags, 4);
+    s.long_fresh = flag(flags, 5);
+    s.end_fresh = flag(flags, 6);
+    s.first = flag(flags, 7);
+    s.first_pending = flag(flags, 8);
+    s.leftward = flag(flags, 9);
+    s.long_carry = flag(flags, 10);
+    s.end_carry = flag(flags, 11);
+    s.x = field(position, 0);
+    s.y = field(position, 1);
+    s.x_step = field(position, 2);
+    s.rows = field(position, 3);
+    s.length = field(position, 4);
+    s.m = field(steps, 0);
+    s.m_less_one = field(steps, 1);
+    s.rows_below = field(steps, 2);
+    s.length_reload = field(steps, 3);
+    s.m_below = field(steps, 4);
+    s.long_phase = word(long_edge, 0);
+    s.long_step = word(long_edge, 1);
+    s.end_phase = word(end_edge, 0);
+    s.end_step = word(end_edge, 1);
+    s.lower_phase = word(lower_edge, 0);
+    s.lower_step = word(lower_edge, 1);
+    return s;
+}
+
+port_t flags_of(const edge_walker::state_t& s) {
+    port_t flags = 0;
+    flags.set_slc(0, s.walk);
+    flags.set_slc(2, s.below);
+    flags.set_slc(3, s.none_below);
+    flags.set_slc(4, s.last_row);
+    flags.set_slc(5, s.long_fresh);
+    flags.set_slc(6, s.end_fresh);
+    flags.set_slc(7, s.first);
+    flags.set_slc(8, s.first_pending);
+    flags.set_slc(9, s.leftward);
+    flags.set_slc(10, s.long_carry);
+    flags.set_slc(11, s.end_carry);
+    return flags;
+}
+
+geometry_t geometry_of(const port_t& start, const port_t& rest, const port_t& long_edge, const port_t& upper_edge,
+                       const port_t& lower_edge) {
+    geometry_t g;
+    g.x = field(start, 0);
+    g.y = field(start, 1);
+    g.rows_above = field(start, 2);
+    g.rows_below = field(start, 3);
+    g.kappa = field(start, 4);
+    g.length = field(rest, 0);
+    g.m = field(rest, 1);
+    g.length_reload = field(rest, 2);
+    g.m_below = field(rest, 3);
+    g.long_phase = word(long_edge, 0);
+    g.long_step = word(long_edge, 1);
+    g.upper_phase = word(upper_edge, 0);
+    g.upper_step = word(upper_edge, 1);
+    g.lower_phase = word(lower_edge, 0);
+    g.lower_step = word(lower_edge, 1);
+    return g;
+}
+
+/// Commands and span: load, linear, depth, step, carry, push, single, leftward, first, message, then x, y, length.
+port_t outputs_of(const edge_walker::state_t& s) {
+    port_t out = 0;
+    out.set_slc(0, s.command.load);
+    out.set_slc(1, s.command.linear);
+    out.set_slc(2, s.command.depth);
+    out.set_slc(3, s.command.step);
+    out.set_slc(4, s.command.carry);
+    out.set_slc(5, s.push);
+    out.set_slc(6, s.span.single);
+    out.set_slc(7, s.span.leftward);
+    out.set_slc(8, s.span.first);
+    out.set_slc(9, s.span.message);
+    out.set_slc(10, s.span.x);
+    out.set_slc(10 + coordinate_bits, s.span.y);
+    out.set_slc(10 + 2 * coordinate_bits, s.span.length);
+    return out;
+}
+
+}  // namespace
+
+/// flags … lower_edge: the state; job_flags: valid, message, leftward, linear, depth, code; job_*: geometry.
+extern "C" void edge_walker_step(std::uint64_t flags, std::uint64_t position, std::uint64_t steps,
+                                 std::uint64_t long_edge, std::uint64_t end_edge, std::uint64_t lower_edge,
+                                 std::uint8_t job_flags, std::uint32_t job_header, std::uint64_t job_start,
+                                 std::uint64_t job_rest, std::uint64_t job_long, std::uint64_t job_upper,
+                                 std::uint64_t job_lower, bool room, bool first_taken, std::uint64_t* next_flags,
+                                 std::uint64_t* next_position, std::uint64_t* next_steps, std::uint64_t* next_long_edge,
+                                 std::uint64_t* next_end_edge, std::uint64_t* next_lower_edge, std::uint64_t* outputs,
+                                 bool* job_taken) {
+    const edge_walker::state_t state = state_of(flags, position, steps, long_edge, end_edge, lower_edge);
+    job_t job;
+    const port_t bits = job_flags;
+    job.valid = flag(bits, 0);
+    job.message = flag(bits, 1);
+    job.leftward = flag(bits, 2);
+    job.linear = flag(bits, 3);
+    job.depth = flag(bits, 4);
+    job.code = bits.slc<2>(5);
+    job.header = job_header;
+    const geometry_t geometry = geometry_of(job_start, job_rest, job_long, job_upper, job_lower);
+
+    *job_taken = edge_walker::taken(state, job, room) != 0;
+    const edge_walker::state_t next = edge_walker::step(state, job, geometry, room, first_taken);
+    *next_flags = flags_of(next).to_uint64();
+    *next_position = fields(next.x, next.y, next.x_step, next.rows, next.length).to_uint64();
+    *next_steps = fields(next.m, next.m_less_one, next.rows_below, next.length_reload, next.m_below).to_uint64();
+    *next_long_edge = pair(next.long_phase, next.long_step).to_uint64();
+    *next_end_edge = pair(next.end_phase, next.end_step).to_uint64();
+    *next_lower_edge = pair(next.lower_phase, next.lower_step).to_uint64();
+    *outputs = outputs_of(next).to_uint64();
+}
