@@ -12,7 +12,7 @@ UNITS = {
     "edge_walker": ((), [()]),
     "shading_core": (
         ("words_per_beat", "has_depth", "has_quadratic", "slices"),
-        [*product(*SHAPES, (2,)), (1, True, True, 1), (2, False, True, 1), (4, True, False, 1), (2, True, True, 3)],
+        [*product(*SHAPES, (2,)), (1, True, True, 1), (2, False, True, 1), (4, True, False, 1)],
     ),
 }
 
