@@ -58,22 +58,8 @@ architecture rtl of shading_core is
   constant depth_base     : positive := channel_base + colour_channels * channel_words;
   constant register_count : positive := choose(has_depth, depth_base + linear_words, depth_base);
 
-  function describe return word_vector_t is
-    variable description : word_vector_t(0 to query_reply_words - 1) := (others => (others => '0'));
-  begin
-    description(0)(7 downto 0)   := std_ulogic_vector(to_unsigned(protocol_version, 8));
-    description(0)(10)           := to_std_ulogic(has_depth);
-    description(0)(11)           := to_std_ulogic(has_quadratic);
-    description(1)(7 downto 0)   := std_ulogic_vector(to_unsigned(colour_width, 8));
-    description(1)(15 downto 8)  := std_ulogic_vector(to_unsigned(colour_width - colour_integer_bits, 8));
-    if has_depth then
-      description(1)(23 downto 16) := std_ulogic_vector(to_unsigned(depth_width, 8));
-    end if;
-    description(1)(31 downto 24) := std_ulogic_vector(to_unsigned(phase_bits, 8));
-    description(2)               := std_ulogic_vector(to_unsigned(max_extent, word_bits));
-    description(3)               := std_ulogic_vector(to_unsigned(core_version, word_bits));
-    return description;
-  end function describe;
+  -- What the core says of itself: the data of the reply to a query.
+  signal description : word_vector_t(0 to query_reply_words - 1);
 
   -- Setup stream.
   constant beat_width : positive := 33 * words_per_beat + 1;
@@ -141,6 +127,15 @@ begin
   assert depth_width >= depth_bits and depth_width <= word_bits
     report "shading_core: depth_width is " & integer'image(depth_width) & ", it must lie in 16 to 32"
     severity failure;
+
+  -- A word each: GHDL 2.0 writes a constant of more than 64 bits into Verilog as a string, whose bits are characters.
+  description(0) <= std_ulogic_vector(to_unsigned(protocol_version + choose(has_depth, 2 ** 10, 0)
+                                                  + choose(has_quadratic, 2 ** 11, 0), word_bits));
+  description(1) <= std_ulogic_vector(to_unsigned(colour_width + 2 ** 8 * (colour_width - colour_integer_bits)
+                                                  + 2 ** 16 * choose(has_depth, depth_width, 0)
+                                                  + 2 ** 24 * phase_bits, word_bits));
+  description(2) <= std_ulogic_vector(to_unsigned(max_extent, word_bits));
+  description(3) <= std_ulogic_vector(to_unsigned(core_version, word_bits));
 
   -- Setup stream: a queue whose flags are registers, then the decoder.
   beat_lanes : for k in 0 to words_per_beat - 1 generate
@@ -316,7 +311,7 @@ begin
     port map (
       clk         => clk,
       rst         => rst,
-      description => describe,
+      description => description,
       fragment    => fragments(slices - 1),
       red         => colour(0),
       green       => colour(1),
