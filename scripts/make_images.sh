@@ -13,7 +13,7 @@ mkdir -p "$folder"
 
 # The README's: a lacquered knot under a warm key light and a blue one from the side, shaded by the VHDL.
 "$sheen" render builtin:torus-knot -o "$folder/hero.png" --method quadratic --device verilator --rotate 0,0,15 \
-    --ka .03,.01,.02 --kd .7,.12,.1 --ks 1 --shininess 28 \
+    --ka .03,.01,.02 --kd .7,.12,.1 --ks 1 --shininess 20 \
     --light -.45,.6,.65 --light-colour 1,.95,.85 --light .85,.2,.45 --light-colour .35,.5,1
 
 "$sheen" render builtin:teapot -o "$folder/teapot.png" --method quadratic --device verilator --size 512x384 \
