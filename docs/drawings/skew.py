@@ -22,11 +22,11 @@ def row(number, name, note, first, words):
         c.text(LEFT + (first + k + 0.5) * CELL, y + 23, word, 12, mono=True)
 
 
-row(0, "command", "from the walkers", 0, ["load", "step", "step", "step"])
+row(0, "command", "as slice 0 obeys it", 0, ["load", "step", "step", "step"])
 row(1, "slice 0", "I(15..0)", 1, ["low 0", "low 1", "low 2", "low 3"])
 row(2, "carry", "one register", 1, ["-", "c 1", "c 2", "c 3"])
 row(3, "slice 1", "I(31..16)", 2, ["high 0", "high 1", "high 2", "high 3"])
-row(4, "fragment", "delayed by a clock", 2, ["pixel 0", "pixel 1", "pixel 2", "pixel 3"])
+row(4, "fragment", "meets slice 1", 2, ["pixel 0", "pixel 1", "pixel 2", "pixel 3"])
 c.text(LEFT - 160, 300, "high k = high k-1 + D(31..16) + c k: slice 1 does at t + 1 what slice 0 did at t;", 12.5, "start")
 c.text(LEFT - 160, 318, "D has the same skew, so its upper half is there when slice 1 adds it.", 12.5, "start")
 c.write()
