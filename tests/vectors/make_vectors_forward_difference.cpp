@@ -4,8 +4,9 @@
 /// and a model of the channel's share of the span queue.
 ///
 /// A vector is one clock: commands, words, and the span part's I that they bring. Any order of legal commands occurs: a
-/// fetch reads only what was pushed, a span starts only from a fetched entry. The words stay for `held` clocks after a
-/// load, as long as the highest slice needs them; otherwise they are noise.
+/// fetch reads only what was pushed, a span starts only from a fetched entry, the first step of the start edge comes
+/// not before the second clock after a load, and a carry in the clock after another step. The words stay for `held`
+/// clocks after a load, as long as the highest slice needs them; otherwise they are noise.
 #include <array>
 #include <random>
 #include <type_traits>
@@ -21,7 +22,7 @@ using sheen::test::Pauses;
 using sheen::test::VectorFile;
 using sheen::test::VectorOptions;
 
-constexpr int held = 2;  ///< slices − 1 of the deepest configuration
+constexpr int held = 3;  ///< slices of the deepest configuration
 constexpr int places = 1 << span_queue_log2;
 
 /// What a channel is told in one clock.
@@ -39,7 +40,7 @@ word_t random_word(std::mt19937_64& random) {
     return pick < 7 ? word_t(corners[pick]) : word_t(random());
 }
 
-/// Commands that keep the contract of the queue; the first four clocks load, push, fetch and start.
+/// Commands that keep the contract; the first four clocks load, push, fetch and start.
 class Commands {
  public:
     Commands(unsigned seed, int stall_percent) : random_(seed), pauses_(stall_percent) {}
@@ -47,6 +48,8 @@ class Commands {
     command_t next() {
         command_t c = clock_ < 4 ? lead_in() : pauses_.pause(random_) ? command_t{} : any();
         if (c.push != 0) written_[c.push_address.to_uint()] = true;
+        since_load_ = c.edge.load != 0 ? 1 : since_load_ + 1;
+        stepped_ = c.edge.step != 0;
         ++clock_;
         return c;
     }
@@ -65,8 +68,8 @@ class Commands {
         command_t c;
         c.edge.load = chance(24);
         c.edge.linear = chance(4);
-        c.edge.step = chance(2);
-        c.edge.carry = chance(2);
+        c.edge.step = c.edge.load == 0 && since_load_ >= 2 && !chance(3);
+        c.edge.carry = c.edge.step != 0 && stepped_ && chance(2);
         c.present = !chance(8);
         c.push = chance(3);
         c.push_address = random_();
@@ -82,6 +85,8 @@ class Commands {
     std::mt19937_64 random_;
     Pauses pauses_;
     int clock_ = 0;
+    int since_load_ = 0;
+    bool stepped_ = false;  ///< in the clock before
     std::array<bool, places> written_{};
 };
 
