@@ -45,11 +45,24 @@ ScreenTriangle screen_triangle(Rng& rng, const Scene& scene, const Triangle& poi
                                 random_normal(rng)};
     }
     triangle.face_normal = random_normal(rng);
-    triangle.pieces = clip_to_image(points, scene.width, scene.height);
+    triangle.walks = walk_in_image(points[0], points[1], points[2], scene.width, scene.height);
     return triangle;
 }
 
-glm::dvec3 colour_at(const TriangleShading& shading, const SnappedPoint& p) {
+/// A triangle's polynomials, about the middle of its bounding box.
+struct Shading {
+    std::array<Polynomial, 3> colour;
+    Polynomial depth;
+    bool linear = false;
+};
+
+Shading shade_triangle(Method method, const Scene& scene, const ScreenTriangle& t) {
+    const TriangleNodes nodes = shade_nodes(method, scene, t);
+    const PixelIndex origin = centre_pixel({t.vertices[0].point, t.vertices[1].point, t.vertices[2].point});
+    return {fit_colour(nodes, t, origin), fit_depth(t, origin), nodes.linear};
+}
+
+glm::dvec3 colour_at(const Shading& shading, const SnappedPoint& p) {
     const auto x = static_cast<int>((p.x - 128) / 256);
     const auto y = static_cast<int>((p.y - 128) / 256);
     return {shading.colour[0].at(x, y), shading.colour[1].at(x, y), shading.colour[2].at(x, y)};
@@ -102,7 +115,7 @@ TEST(Method, QuadraticInterpolatesTheRadianceAtVerticesAndMidpoints) {
     const Scene scene = lit_scene();
     for (int k = 0; k < 1000; ++k) {
         const ScreenTriangle t = screen_triangle(rng, scene, triangle_on_centres(rng));
-        const TriangleShading shading = shade_triangle(Method::quadratic, scene, t);
+        const Shading shading = shade_triangle(Method::quadratic, scene, t);
         EXPECT_FALSE(shading.linear);
         for (std::size_t n = 0; n < 3; ++n) {
             const ScreenVertex& a = t.vertices[n];
@@ -123,8 +136,8 @@ TEST(Method, GouraudAndFlatAreLinearAndExactAtTheirNodes) {
     const Scene scene = lit_scene();
     for (int k = 0; k < 1000; ++k) {
         const ScreenTriangle t = screen_triangle(rng, scene, triangle_on_centres(rng));
-        const TriangleShading gouraud = shade_triangle(Method::gouraud, scene, t);
-        const TriangleShading flat = shade_triangle(Method::flat, scene, t);
+        const Shading gouraud = shade_triangle(Method::gouraud, scene, t);
+        const Shading flat = shade_triangle(Method::flat, scene, t);
         EXPECT_TRUE(gouraud.linear && flat.linear);
         const glm::dvec3 face = shade(scene.material, scene.lights, t.face_normal, {0, 0, 1});
         for (std::size_t n = 0; n < 3; ++n) {
@@ -139,7 +152,7 @@ TEST(Method, GouraudAndFlatAreLinearAndExactAtTheirNodes) {
         for (const ScreenVertex& v : t.vertices) {
             const auto x = static_cast<int>(v.point.x / 256);
             const auto y = static_cast<int>(v.point.y / 256);
-            for (const TriangleShading* shading : {&gouraud, &flat}) {
+            for (const Shading* shading : {&gouraud, &flat}) {
                 EXPECT_NEAR(shading->depth.at(x, y), v.depth, 1e-8);
             }
         }
@@ -156,7 +169,7 @@ TEST(Method, BrightNodesAreClampedSoThatTheQuadraticFitsTenIntegerBits) {
         const ScreenTriangle t = screen_triangle(rng, scene, random_triangle(rng, 100));
         const auto setups = make_setups(Method::quadratic, scene, {t});
         if (setups.empty()) continue;
-        const TriangleShading shading = shade_triangle(Method::quadratic, scene, t);
+        const Shading shading = shade_triangle(Method::quadratic, scene, t);
         for_each_row(setups[0].walk, [&](const WalkRow& row) {
             for (int pixel = 0; pixel < row.length; ++pixel) {
                 const int x = row.x + (setups[0].walk.leftward ? -pixel : pixel);
@@ -176,7 +189,7 @@ TEST(Method, PhongHasNoPolynomial) {
     Rng rng(seed + 4);
     const Scene scene = lit_scene();
     const ScreenTriangle t = screen_triangle(rng, scene, triangle_on_centres(rng));
-    EXPECT_THROW(shade_triangle(Method::phong, scene, t), Error);
+    EXPECT_THROW(shade_nodes(Method::phong, scene, t), Error);
 }
 
 /// Whatever lies beside the edge: neighbours have the same colour along it, opposite normals included.
@@ -191,8 +204,8 @@ TEST(Method, NeighboursAgreeAlongTheirSharedEdge) {
         right.vertices[1] = left.vertices[0];
         if (doubled_area(right.vertices[0].point, right.vertices[1].point, right.vertices[2].point) == 0) continue;
         for (const Method method : {Method::gouraud, Method::quadratic}) {
-            const TriangleShading a = shade_triangle(method, scene, left);
-            const TriangleShading b = shade_triangle(method, scene, right);
+            const Shading a = shade_triangle(method, scene, left);
+            const Shading b = shade_triangle(method, scene, right);
             const SnappedPoint p = left.vertices[0].point;
             const SnappedPoint q = left.vertices[1].point;
             for (const SnappedPoint& point : {p, middle(p, q), q}) {
@@ -203,7 +216,7 @@ TEST(Method, NeighboursAgreeAlongTheirSharedEdge) {
     }
 }
 
-TEST(Method, SetupsHaveOneWalkPerPieceThatCoversAPixelInOrder) {
+TEST(Method, SetupsFollowTheWalksInOrder) {
     Rng rng(seed + 6);
     const Scene scene = lit_scene(40, 30);
     std::vector<ScreenTriangle> triangles;
@@ -212,10 +225,7 @@ TEST(Method, SetupsHaveOneWalkPerPieceThatCoversAPixelInOrder) {
         Triangle t = random_triangle(rng, 60);
         for (SnappedPoint& p : t) p = {p.x - 2560, p.y - 2560};
         triangles.push_back(screen_triangle(rng, scene, t));
-        for (const auto& piece : triangles.back().pieces) {
-            const auto walk = walk_triangle(piece[0], piece[1], piece[2]);
-            if (walk) starts.emplace_back(walk->x, walk->y);
-        }
+        for (const TriangleWalk& walk : triangles.back().walks) starts.emplace_back(walk.x, walk.y);
     }
     for (const Method method : {Method::flat, Method::gouraud, Method::quadratic}) {
         const auto setups = make_setups(method, scene, triangles);
@@ -239,7 +249,7 @@ TEST(Method, SetupsHaveOneWalkPerPieceThatCoversAPixelInOrder) {
     EXPECT_GT(starts.size(), 200U);
 }
 
-/// The polynomial belongs to the unclipped triangle, its rounding to the piece: a triangle a hundred times the image's
+/// The polynomial belongs to the unclipped triangle, its rounding to the walk: a triangle a hundred times the image's
 /// size is as exact as a small one.
 TEST(Method, HugeTrianglesAreExactWhereTheyAreDrawn) {
     Rng rng(seed + 7);
@@ -250,7 +260,7 @@ TEST(Method, HugeTrianglesAreExactWhereTheyAreDrawn) {
         Triangle t{};
         for (SnappedPoint& p : t) p = {uniform(rng, -1500000, 1500000), uniform(rng, -1500000, 1500000)};
         const ScreenTriangle triangle = screen_triangle(rng, scene, t);
-        const TriangleShading shading = shade_triangle(Method::quadratic, scene, triangle);
+        const Shading shading = shade_triangle(Method::quadratic, scene, triangle);
         for (const TriangleSetup& setup : make_setups(Method::quadratic, scene, {triangle})) {
             for_each_row(setup.walk, [&](const WalkRow& row) {
                 for (int pixel = 0; pixel < row.length; ++pixel) {
@@ -266,7 +276,7 @@ TEST(Method, HugeTrianglesAreExactWhereTheyAreDrawn) {
     }
     fmt::print("huge triangles on 64x48: max error {:.6f} steps of 8 bits on {} values\n", worst, pixels);
     EXPECT_GT(pixels, 100000U);
-    // ½·(1 + X + Y + X² + XY + Y²)·2^−22 for pieces of 64×48 pixels, X ≤ 33, Y ≤ 25
+    // ½·(1 + X + Y + X² + XY + Y²)·2^−22 for walks of 64×48 pixels, X ≤ 33, Y ≤ 25
     EXPECT_LE(worst, 0.5 * (1 + 33 + 25 + 33 * 33 + 33 * 25 + 25 * 25) / (1 << 22));
 }
 
@@ -282,7 +292,7 @@ Triangle sliver_across_the_image(Rng& rng) {
     return t;
 }
 
-/// Clipped slivers leave their triangle when they are snapped again; colour and depth must not soar there.
+/// Outside a sliver its polynomials soar: what the image leaves of one must stay in it.
 TEST(Method, ClippedSliversStayInTheRangeOfTheirNodes) {
     Rng rng(seed + 8);
     const Scene scene = lit_scene(64, 64);

@@ -2,6 +2,10 @@
 #include "sheen/polynomial.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
 
 #include "sheen/hls/formats.hpp"
 
@@ -10,51 +14,110 @@ namespace {
 
 constexpr std::int64_t pixel = std::int64_t{1} << hls::subpixel_bits;
 
+/// Greatest L²/(2·area) for which double is precise enough (see fit_quadratic).
+constexpr std::int64_t greatest_double_slenderness = 64;
+
+bool double_suffices(const std::array<SnappedPoint, 3>& v, std::int64_t area) {
+    std::int64_t longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t dx = v[k].x - v[(k + 1) % 3].x;
+        const std::int64_t dy = v[k].y - v[(k + 1) % 3].y;
+        longest = std::max(longest, dx * dx + dy * dy);
+    }
+    return longest / greatest_double_slenderness < std::abs(area);
+}
+
 /// A barycentric coordinate as a linear function of the pixel, about an origin: x·X + y·Y + one.
+template <typename Real>
 struct Barycentric {
-    Coefficient x, y, one;
+    Real x, y, one;
 };
 
-/// λ of the vertex opposite to edge from→to: its edge function over the doubled area, at pixel centres about `origin`.
-Barycentric barycentric(const SnappedPoint& from, const SnappedPoint& to, std::int64_t area, const PixelIndex& origin) {
+/// λ of each vertex: the edge function of the opposite edge over the doubled area, at pixel centres about `origin`.
+template <typename Real>
+std::array<Barycentric<Real>, 3> barycentrics(const std::array<SnappedPoint, 3>& v, std::int64_t area,
+                                              const PixelIndex& origin) {
     const SnappedPoint sample{pixel * origin.x + pixel / 2, pixel * origin.y + pixel / 2};
-    const Coefficient inverse = Coefficient{1} / static_cast<Coefficient>(area);
-    return {static_cast<Coefficient>(pixel * (from.y - to.y)) * inverse,
-            static_cast<Coefficient>(pixel * (to.x - from.x)) * inverse,
-            static_cast<Coefficient>(doubled_area(from, to, sample)) * inverse};
+    const Real inverse = Real{1} / static_cast<Real>(area);
+    std::array<Barycentric<Real>, 3> lambda{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const SnappedPoint& from = v[(k + 1) % 3];
+        const SnappedPoint& to = v[(k + 2) % 3];
+        lambda[k] = {static_cast<Real>(pixel * (from.y - to.y)) * inverse,
+                     static_cast<Real>(pixel * (to.x - from.x)) * inverse,
+                     static_cast<Real>(doubled_area(from, to, sample)) * inverse};
+    }
+    return lambda;
 }
 
-std::array<Barycentric, 3> barycentrics(const std::array<SnappedPoint, 3>& v, std::int64_t area,
-                                        const PixelIndex& origin) {
-    return {barycentric(v[1], v[2], area, origin), barycentric(v[2], v[0], area, origin),
-            barycentric(v[0], v[1], area, origin)};
+template <typename Real>
+using Terms = std::array<Real, 6>;  ///< T₀…T₅
+
+template <typename Real>
+void add_linear(Terms<Real>& t, Real weight, const Barycentric<Real>& a) {
+    t[0] += weight * a.one;
+    t[1] += weight * a.y;
+    t[2] += weight * a.x;
 }
 
-void add_linear(Polynomial& p, Coefficient weight, const Barycentric& a) {
-    p.t[0] += weight * a.one;
-    p.t[1] += weight * a.y;
-    p.t[2] += weight * a.x;
+template <typename Real>
+void add_product(Terms<Real>& t, Real weight, const Barycentric<Real>& a, const Barycentric<Real>& b) {
+    t[0] += weight * (a.one * b.one);
+    t[1] += weight * (a.one * b.y + a.y * b.one);
+    t[2] += weight * (a.one * b.x + a.x * b.one);
+    t[3] += weight * (a.y * b.y);
+    t[4] += weight * (a.x * b.y + a.y * b.x);
+    t[5] += weight * (a.x * b.x);
 }
 
-void add_product(Polynomial& p, Coefficient weight, const Barycentric& a, const Barycentric& b) {
-    p.t[0] += weight * (a.one * b.one);
-    p.t[1] += weight * (a.one * b.y + a.y * b.one);
-    p.t[2] += weight * (a.one * b.x + a.x * b.one);
-    p.t[3] += weight * (a.y * b.y);
-    p.t[4] += weight * (a.x * b.y + a.y * b.x);
-    p.t[5] += weight * (a.x * b.x);
+/// Σ vₖ·λₖ
+template <typename Real>
+Terms<Real> linear_terms(const std::array<Barycentric<Real>, 3>& lambda, const std::array<double, 3>& values) {
+    Terms<Real> t{};
+    for (std::size_t k = 0; k < 3; ++k) add_linear<Real>(t, values[k], lambda[k]);
+    return t;
 }
 
-template <std::size_t count>
-Coefficient mean(const std::array<double, count>& values) {
-    Coefficient sum{0};
-    for (const double value : values) sum += value;
-    return sum / static_cast<Coefficient>(count);
+/// Σ vₖ·λₖ(2λₖ − 1) + Σ 4·vₖₗ·λₖλₗ
+template <typename Real>
+Terms<Real> quadratic_terms(const std::array<Barycentric<Real>, 3>& lambda, const std::array<double, 6>& values) {
+    Terms<Real> t{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Real vertex = values[k];
+        const Real midpoint = values[3 + k];
+        add_product<Real>(t, Real{2} * vertex, lambda[k], lambda[k]);
+        add_linear<Real>(t, -vertex, lambda[k]);
+        add_product<Real>(t, Real{4} * midpoint, lambda[k], lambda[(k + 1) % 3]);
+    }
+    return t;
+}
+
+/// `terms(lambda)` in the precision that the triangle needs.
+template <std::size_t count, typename TermsOf>
+Polynomial fit(const std::array<SnappedPoint, 3>& triangle, const std::array<double, count>& values,
+               const PixelIndex& origin, TermsOf terms_of) {
+    Polynomial p{{}, origin.x, origin.y};
+    const std::int64_t area = doubled_area(triangle[0], triangle[1], triangle[2]);
+    if (area == 0) {
+        p.t[0] = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(count);
+    } else if (double_suffices(triangle, area)) {
+        const Terms<double> terms = terms_of(barycentrics<double>(triangle, area, origin));
+        std::copy(terms.begin(), terms.end(), p.t.begin());
+    } else {
+        p.t = terms_of(barycentrics<Coefficient>(triangle, area, origin));
+    }
+    return p;
 }
 
 /// round(value·2^fraction_bits) modulo 2^32, to nearest, halves up. Reduces before converting: a sliver's coefficient
 /// exceeds every integer type.
 std::uint32_t rounded_word(Coefficient value, int fraction_bits) {
+    // Most coefficients are doubles, and small enough for a double's sum.
+    const double scaled = std::ldexp(static_cast<double>(value), fraction_bits);
+    constexpr double halves_are_exact = 1LL << 51;
+    if (std::abs(scaled) < halves_are_exact && static_cast<Coefficient>(static_cast<double>(value)) == value) {
+        return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(scaled + 0.5)));
+    }
     constexpr Coefficient modulus = static_cast<Coefficient>(std::uint64_t{1} << hls::word_bits);
     constexpr Coefficient all_integers = static_cast<Coefficient>(static_cast<__int128>(1) << 120);
     const Coefficient turns =
@@ -69,22 +132,10 @@ std::uint32_t rounded_word(Coefficient value, int fraction_bits) {
 
 }  // namespace
 
-Coefficient Polynomial::value(Coefficient x, Coefficient y) const {
-    const Coefficient dx = x - static_cast<Coefficient>(origin_x);
-    const Coefficient dy = y - static_cast<Coefficient>(origin_y);
-    return (t[5] * dx + t[4] * dy + t[2]) * dx + (t[3] * dy + t[1]) * dy + t[0];
-}
-
-Polynomial Polynomial::recentred(int x, int y) const {
+double Polynomial::at(int x, int y) const {
     const Coefficient dx = x - origin_x;
     const Coefficient dy = y - origin_y;
-    Polynomial moved = *this;
-    moved.origin_x = x;
-    moved.origin_y = y;
-    moved.t[0] = value(x, y);
-    moved.t[1] = t[1] + t[4] * dx + Coefficient{2} * t[3] * dy;
-    moved.t[2] = t[2] + t[4] * dy + Coefficient{2} * t[5] * dx;
-    return moved;
+    return static_cast<double>((t[5] * dx + t[4] * dy + t[2]) * dx + (t[3] * dy + t[1]) * dy + t[0]);
 }
 
 PixelIndex centre_pixel(const std::array<SnappedPoint, 3>& triangle) {
@@ -95,46 +146,24 @@ PixelIndex centre_pixel(const std::array<SnappedPoint, 3>& triangle) {
             static_cast<int>((top + bottom) >> (hls::subpixel_bits + 1))};
 }
 
-std::array<Coefficient, 3> barycentric_coordinates(const std::array<SnappedPoint, 3>& triangle,
-                                                   const SnappedPoint& point) {
-    const auto area = static_cast<Coefficient>(doubled_area(triangle[0], triangle[1], triangle[2]));
-    return {static_cast<Coefficient>(doubled_area(triangle[1], triangle[2], point)) / area,
-            static_cast<Coefficient>(doubled_area(triangle[2], triangle[0], point)) / area,
-            static_cast<Coefficient>(doubled_area(triangle[0], triangle[1], point)) / area};
+PixelIndex centre_pixel(const TriangleWalk& walk) {
+    int left = std::numeric_limits<int>::max();
+    int right = 0;
+    for_each_span(walk, [&](int x, int /*y*/, int length, int step) {
+        left = std::min({left, x, x + step * (length - 1)});
+        right = std::max({right, x, x + step * (length - 1)});
+    });
+    return {left + (right - left) / 2, walk.y + (walk.rows_above + walk.rows_below) / 2};
 }
 
-Polynomial fit_linear(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 3>& values) {
-    const PixelIndex origin = centre_pixel(triangle);
-    Polynomial p{{}, origin.x, origin.y};
-    const std::int64_t area = doubled_area(triangle[0], triangle[1], triangle[2]);
-    if (area == 0) {
-        p.t[0] = mean(values);
-        return p;
-    }
-    const auto lambda = barycentrics(triangle, area, origin);
-    for (std::size_t k = 0; k < 3; ++k) add_linear(p, values[k], lambda[k]);
-    return p;
+Polynomial fit_linear(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 3>& values,
+                      const PixelIndex& origin) {
+    return fit(triangle, values, origin, [&](const auto& lambda) { return linear_terms(lambda, values); });
 }
 
-Polynomial fit_quadratic(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 6>& values) {
-    const PixelIndex origin = centre_pixel(triangle);
-    Polynomial p{{}, origin.x, origin.y};
-    const std::int64_t area = doubled_area(triangle[0], triangle[1], triangle[2]);
-    if (area == 0) {
-        p.t[0] = mean(values);
-        return p;
-    }
-    // Σ vₖ·λₖ(2λₖ − 1) + Σ 4·vₖₗ·λₖλₗ
-    const auto lambda = barycentrics(triangle, area, origin);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t next = (k + 1) % 3;
-        const Coefficient vertex = values[k];
-        const Coefficient midpoint = values[3 + k];
-        add_product(p, Coefficient{2} * vertex, lambda[k], lambda[k]);
-        add_linear(p, -vertex, lambda[k]);
-        add_product(p, Coefficient{4} * midpoint, lambda[k], lambda[next]);
-    }
-    return p;
+Polynomial fit_quadratic(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 6>& values,
+                         const PixelIndex& origin) {
+    return fit(triangle, values, origin, [&](const auto& lambda) { return quadratic_terms(lambda, values); });
 }
 
 std::uint32_t channel_value(const ChannelWords& channel, std::int64_t u, std::int64_t j) {

@@ -4,61 +4,18 @@
 #include <algorithm>
 #include <array>
 
+#include "edge.hpp"
 #include "sheen/error.hpp"
 #include "sheen/hls/formats.hpp"
 
 namespace sheen {
 namespace {
 
-constexpr std::int64_t pixel = std::int64_t{1} << hls::subpixel_bits;  // one pixel in 1/256 px
-constexpr std::int64_t centre = pixel / 2;                             // of a pixel, from its corner
 constexpr int coordinate_mask = (1 << hls::coordinate_bits) - 1;
-constexpr std::int64_t coordinate_limit = coordinate_mask * pixel;
+constexpr std::int64_t coordinate_limit = coordinate_mask * subpixels;
 
-// The phases are exact while rows·dy ≤ 2^32 (dy in 1/256 px): after j steps the rounded phase is off by less than
-// (j + 1)/2 units of 2^−32, and the true one stays 1/(2·dy) from every carry. The tallest triangle fits.
+// Every row of the tallest triangle is within Edge::exact_rows().
 static_assert(coordinate_mask * coordinate_limit <= std::int64_t{1} << hls::phase_bits);
-
-std::int64_t floor_div(std::int64_t n, std::int64_t d) {
-    const std::int64_t q = n / d;
-    return n % d < 0 ? q - 1 : q;  // d > 0
-}
-
-/// First row whose centres lie at or below y: ⌈(y − 128)/256⌉.
-std::int64_t first_row(std::int64_t y) { return -floor_div(centre - y, pixel); }
-
-/// A falling edge seen along the span's direction: u = s·x. position() is the first pixel inside when this is the
-/// long edge, and the exclusive end when it is the other one.
-class Edge {
- public:
-    Edge(const SnappedPoint& top, const SnappedPoint& bottom, int s)
-        : top_(top), s_(s), dx_(bottom.x - top.x), dy_(bottom.y - top.y) {}
-
-    /// U = ⌊ν/d⌋ + 1 at a row's centres, d = 256·dy.
-    [[nodiscard]] std::int64_t position(std::int64_t row) const { return floor_div(nu(row), pixel * dy_) + 1; }
-
-    /// Whole step of U per row: κ = ⌊s·dx/dy⌋.
-    [[nodiscard]] std::int64_t kappa() const { return floor_div(s_ * dx_, dy_); }
-
-    /// P = round(2^32·(2φ+1)/(2·dy)) with φ = ⌊(ν mod d)/256⌋, and the step round(2^32·ρ/dy) with ρ = s·dx mod dy.
-    [[nodiscard]] EdgePhase phase(std::int64_t row) const {
-        constexpr std::int64_t one = std::int64_t{1} << hls::phase_bits;
-        const std::int64_t phi = (nu(row) - (position(row) - 1) * pixel * dy_) / pixel;
-        const std::int64_t rho = s_ * dx_ - kappa() * dy_;
-        return {static_cast<std::uint32_t>((one * (2 * phi + 1) + dy_) / (2 * dy_)),
-                static_cast<std::uint32_t>((2 * one * rho + dy_) / (2 * dy_))};
-    }
-
- private:
-    /// ν = n − 1 (rightward) or −n (leftward), where n/d is the edge's x at the row's centres, less half a pixel.
-    [[nodiscard]] std::int64_t nu(std::int64_t row) const {
-        const std::int64_t n = (top_.x - centre) * dy_ + dx_ * (pixel * row + centre - top_.y);
-        return s_ > 0 ? n - 1 : -n;
-    }
-
-    SnappedPoint top_;
-    std::int64_t s_, dx_, dy_;
-};
 
 void require_in_range(const SnappedPoint& p) {
     if (std::min(p.x, p.y) < 0 || std::max(p.x, p.y) > coordinate_limit) {
@@ -82,6 +39,43 @@ std::int64_t doubled_area(const SnappedPoint& a, const SnappedPoint& b, const Sn
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+std::optional<TriangleWalk> make_walk(const EdgeWalk& shape) {
+    const Edge& long_edge = shape.long_edge;
+    const Edge& upper = shape.upper;
+    const Edge& lower = shape.lower;
+    const int s = shape.s;
+    const auto length_at = [&](std::int64_t row) {
+        return (row < shape.middle ? upper : lower).position(row, s) - long_edge.position(row, s);
+    };
+    // Trim the empty rows outside.
+    std::int64_t first = shape.first;
+    std::int64_t end = shape.end;
+    while (first < end && length_at(first) == 0) ++first;
+    while (first < end && length_at(end - 1) == 0) --end;
+    if (first == end) return std::nullopt;
+    const std::int64_t split = std::clamp(shape.middle, first, end);
+
+    TriangleWalk walk;
+    walk.x = static_cast<int>(s * long_edge.position(first, s));
+    walk.y = static_cast<int>(first);
+    walk.rows_above = static_cast<int>(split - first);
+    walk.rows_below = static_cast<int>(end - split);
+    walk.leftward = s < 0;
+    walk.kappa = static_cast<int>(long_edge.kappa(s));
+    walk.long_edge = long_edge.phase(first, s);
+    if (walk.rows_above > 0) {
+        walk.length = static_cast<int>(length_at(first));
+        walk.m = static_cast<int>(upper.kappa(s) - long_edge.kappa(s));
+        walk.upper = upper.phase(first, s);
+    }
+    if (walk.rows_below > 0) {
+        walk.length_reload = static_cast<int>(length_at(split));
+        walk.m_below = static_cast<int>(lower.kappa(s) - long_edge.kappa(s));
+        walk.lower = lower.phase(split, s);
+    }
+    return walk;
+}
+
 std::optional<TriangleWalk> walk_triangle(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c) {
     std::array<SnappedPoint, 3> v{a, b, c};
     for (const SnappedPoint& p : v) require_in_range(p);
@@ -91,41 +85,8 @@ std::optional<TriangleWalk> walk_triangle(const SnappedPoint& a, const SnappedPo
     const std::int64_t area = doubled_area(v[0], v[1], v[2]);
     if (area == 0) return std::nullopt;
     const int s = area > 0 ? 1 : -1;  // the middle vertex lies on the right: the long edge is on the left
-    const Edge long_edge(v[0], v[2], s);
-    const Edge upper(v[0], v[1], s);
-    const Edge lower(v[1], v[2], s);
-
-    // Rows first…middle−1 end on the upper edge, rows middle…end−1 on the lower one. Trim the empty ones outside.
-    std::int64_t first = first_row(v[0].y);
-    std::int64_t middle = first_row(v[1].y);
-    std::int64_t end = first_row(v[2].y);
-    const auto length_at = [&](std::int64_t row) {
-        return (row < middle ? upper : lower).position(row) - long_edge.position(row);
-    };
-    while (first < end && length_at(first) == 0) ++first;
-    while (first < end && length_at(end - 1) == 0) --end;
-    if (first == end) return std::nullopt;
-    const std::int64_t split = std::clamp(middle, first, end);
-
-    TriangleWalk walk;
-    walk.x = static_cast<int>(s * long_edge.position(first));
-    walk.y = static_cast<int>(first);
-    walk.rows_above = static_cast<int>(split - first);
-    walk.rows_below = static_cast<int>(end - split);
-    walk.leftward = s < 0;
-    walk.kappa = static_cast<int>(long_edge.kappa());
-    walk.long_edge = long_edge.phase(first);
-    if (walk.rows_above > 0) {
-        walk.length = static_cast<int>(length_at(first));
-        walk.m = static_cast<int>(upper.kappa() - long_edge.kappa());
-        walk.upper = upper.phase(first);
-    }
-    if (walk.rows_below > 0) {
-        walk.length_reload = static_cast<int>(length_at(split));
-        walk.m_below = static_cast<int>(lower.kappa() - long_edge.kappa());
-        walk.lower = lower.phase(split);
-    }
-    return walk;
+    return make_walk({Edge(v[0], v[2]), Edge(v[0], v[1]), Edge(v[1], v[2]), first_row(v[0].y), first_row(v[1].y),
+                      first_row(v[2].y), s});
 }
 
 void for_each_row(const TriangleWalk& walk, const std::function<void(const WalkRow& row)>& visit) {

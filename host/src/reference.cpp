@@ -3,10 +3,10 @@
 /// Per-pixel evaluation in double precision.
 #include "sheen/reference.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "sheen/hls/formats.hpp"
 
@@ -15,49 +15,21 @@ namespace {
 
 constexpr double full_scale = 255.0;
 
-/// How far in barycentric coordinates a pixel may lie outside its triangle and be extrapolated. Snapping a clipped
-/// piece moves its edges by up to half a subpixel; only in slivers about as thin does a pixel get further out.
-constexpr double reach = 1.0 / 32.0;
-
-/// A place in a triangle: weights of the vertices, and the pixel coordinates that they mean (whole at pixel centres).
-struct Sample {
-    glm::dvec3 weights{0.0};
-    Coefficient x{0};
-    Coefficient y{0};
-};
-
-/// Samples a triangle at pixel centres, from exact integer areas.
+/// Weights of a triangle's vertices at pixel centres, from exact integer areas: within 0…1 at every covered pixel, and
+/// as precise in slivers as anywhere.
 class Sampler {
  public:
     explicit Sampler(const std::array<ScreenVertex, 3>& vertices)
         : points_{vertices[0].point, vertices[1].point, vertices[2].point},
           area_(static_cast<double>(doubled_area(points_[0], points_[1], points_[2]))) {}
 
-    /// The centre of pixel (x, y), or the triangle's border where the centre is out of reach.
-    [[nodiscard]] Sample at(int x, int y) const {
+    /// At the centre of pixel (x, y).
+    [[nodiscard]] glm::dvec3 weights(int x, int y) const {
         const SnappedPoint centre{pixel * x + pixel / 2, pixel * y + pixel / 2};
-        const glm::dvec3 weights = glm::dvec3(static_cast<double>(doubled_area(centre, points_[1], points_[2])),
-                                              static_cast<double>(doubled_area(points_[0], centre, points_[2])),
-                                              static_cast<double>(doubled_area(points_[0], points_[1], centre))) /
-                                   area_;
-        if (std::min({weights.x, weights.y, weights.z}) >= -reach) {
-            return {weights, static_cast<Coefficient>(x), static_cast<Coefficient>(y)};
-        }
-        // In slivers a polynomial's coefficients are so large that its arguments need its own precision.
-        auto lambda = barycentric_coordinates(points_, centre);
-        Coefficient sum{0};
-        for (Coefficient& weight : lambda) {
-            weight = std::max(weight, Coefficient{0});
-            sum += weight;
-        }
-        Sample border{glm::dvec3(0.0), Coefficient{-0.5}, Coefficient{-0.5}};
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Coefficient weight = lambda[corner] / sum;
-            border.weights[static_cast<int>(corner)] = static_cast<double>(weight);
-            border.x += weight * static_cast<Coefficient>(points_[corner].x) / pixel;
-            border.y += weight * static_cast<Coefficient>(points_[corner].y) / pixel;
-        }
-        return border;
+        return glm::dvec3(static_cast<double>(doubled_area(centre, points_[1], points_[2])),
+                          static_cast<double>(doubled_area(points_[0], centre, points_[2])),
+                          static_cast<double>(doubled_area(points_[0], points_[1], centre))) /
+               area_;
     }
 
  private:
@@ -80,16 +52,6 @@ glm::dvec3 phong_colour(const Scene& scene, const ScreenTriangle& triangle, cons
     return shade(scene.material, scene.lights, normal, to_eye(scene, position));
 }
 
-/// As devices round it: ½ added, then cut to 16 bits.
-std::uint16_t device_depth(const ScreenTriangle& triangle, const glm::dvec3& weights) {
-    constexpr double greatest = (1 << hls::depth_bits) - 1;
-    double depth = 0.0;
-    for (int corner = 0; corner < 3; ++corner) {
-        depth += weights[corner] * triangle.vertices[static_cast<std::size_t>(corner)].depth;
-    }
-    return static_cast<std::uint16_t>(std::clamp(std::floor(depth + 0.5), 0.0, greatest));
-}
-
 /// The picture under construction.
 class Canvas {
  public:
@@ -102,22 +64,21 @@ class Canvas {
         depth_.assign(pixels, 0);
     }
 
-    /// Draws the pieces of a triangle; `colour_at(sample)` is its unclamped colour there.
+    /// Draws a triangle; `colour_at(weights)` is its unclamped colour there.
     template <typename ColourAt>
     void draw(const ScreenTriangle& triangle, ColourAt colour_at) {
         const Sampler sampler(triangle.vertices);
-        for (const auto& piece : triangle.pieces) {
-            const auto walk = walk_triangle(piece[0], piece[1], piece[2]);
-            if (!walk) {
-                continue;
-            }
+        for (const TriangleWalk& walk : triangle.walks) {
             ++image_.triangles;
-            for_each_span(*walk, [&](int x, int y, int length, int step) {
-                for (int i = 0; i < length; ++i, x += step) {
-                    const Sample sample = sampler.at(x, y);
-                    if (passes_depth(x, y, device_depth(triangle, sample.weights))) {
-                        image_.colour[index(x, y)] =
-                            glm::clamp(colour_at(sample), glm::dvec3(0.0), glm::dvec3(full_scale));
+            const ChannelWords depth = depth_words(triangle, walk);
+            const int step = walk.leftward ? -1 : 1;
+            for_each_row(walk, [&](const WalkRow& row) {
+                for (int i = 0; i < row.length; ++i) {
+                    const int x = row.x + step * i;
+                    const std::uint32_t value = channel_value(depth, row.carries + i, row.row);
+                    if (passes_depth(x, row.y, static_cast<std::uint16_t>(value >> hls::depth_fraction_bits))) {
+                        image_.colour[index(x, row.y)] =
+                            glm::clamp(colour_at(sampler.weights(x, row.y)), glm::dvec3(0.0), glm::dvec3(full_scale));
                     }
                 }
             });
@@ -163,16 +124,11 @@ ReferenceImage render_reference(Method method, const Scene& scene, const std::ve
     Canvas canvas(scene.width, scene.height);
     for (const ScreenTriangle& triangle : triangles) {
         if (method == Method::phong) {
-            canvas.draw(triangle, [&](const Sample& sample) { return phong_colour(scene, triangle, sample.weights); });
+            canvas.draw(triangle, [&](const glm::dvec3& weights) { return phong_colour(scene, triangle, weights); });
             continue;
         }
-        const TriangleShading shading = shade_triangle(method, scene, triangle);
-        canvas.draw(triangle, [&](const Sample& sample) {
-            const auto value = [&](const Polynomial& channel) {
-                return static_cast<double>(channel.value(sample.x, sample.y));
-            };
-            return glm::dvec3(value(shading.colour[0]), value(shading.colour[1]), value(shading.colour[2]));
-        });
+        const TriangleNodes nodes = shade_nodes(method, scene, triangle);
+        canvas.draw(triangle, [&](const glm::dvec3& weights) { return nodes.colour_at(weights); });
     }
     return canvas.take();
 }

@@ -97,14 +97,14 @@ std::vector<ScreenTriangle> project(const Scene& scene) {
         }
         const std::array<SnappedPoint, 3> points{triangle.vertices[0].point, triangle.vertices[1].point,
                                                  triangle.vertices[2].point};
-        // Counter-clockwise for the viewer is a negative area, as y points down on the screen. Of a triangle without
-        // area clipping leaves nothing.
+        // Counter-clockwise for the viewer is a negative area, as y points down on the screen. A triangle without
+        // area covers no pixel.
         const bool back_face = doubled_area(points[0], points[1], points[2]) > 0;
         if (back_face && !scene.two_sided) {
             continue;
         }
-        triangle.pieces = clip_to_image(points, scene.width, scene.height);
-        if (triangle.pieces.empty()) {
+        triangle.walks = walk_in_image(points[0], points[1], points[2], scene.width, scene.height);
+        if (triangle.walks.empty()) {
             continue;
         }
         triangle.face_normal = view.visible_normal(triangle.vertices);

@@ -10,11 +10,20 @@
 #include "random_triangles.hpp"
 #include "sheen/hls/formats.hpp"
 #include "sheen/method.hpp"
+#include "sheen/polynomial.hpp"
 
 namespace sheen::test {
 
 /// Values at vertices 0, 1, 2 and at the midpoints of edges 01, 12, 20.
 using Nodes = std::array<double, 6>;
+
+/// Fits about the middle of the triangle's bounding box, as the host does for a triangle inside the image.
+inline Polynomial fit_quadratic(const Triangle& t, const Nodes& nodes) {
+    return sheen::fit_quadratic(t, nodes, centre_pixel(t));
+}
+inline Polynomial fit_linear(const Triangle& t, const std::array<double, 3>& values) {
+    return sheen::fit_linear(t, values, centre_pixel(t));
+}
 
 /// Colours in 0…255 with fractions, often 0 or 255.
 inline Nodes random_nodes(Rng& rng) {

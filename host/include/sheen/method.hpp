@@ -26,11 +26,12 @@ Method parse_method(const std::string& word);
 /// True when devices can draw it (packets exist); false for references such as `phong`.
 bool has_packets(Method method);
 
-/// What the host computes per triangle: the red, green and blue polynomials (in 8-bit steps) and depth.
-struct TriangleShading {
-    std::array<Polynomial, 3> colour;
-    Polynomial depth;
-    bool linear = false;  ///< the colour polynomials have no second-order term
+/// What a method makes of a triangle: colours at the vertices and, unless linear, in the middle of the edges.
+struct TriangleNodes {
+    std::array<glm::dvec3, 6> colour{};  ///< 8-bit steps, at vertices 0, 1, 2 and midpoints 01, 12, 20
+    bool linear = false;                 ///< the midpoints are not used
+    /// The interpolated colour where the vertices have these weights (barycentric coordinates), not clamped.
+    [[nodiscard]] glm::dvec3 colour_at(const glm::dvec3& weights) const;
 };
 
 /// The normal in the middle of an edge: the mean of its ends' unit normals, normalised. Where the mean vanishes
@@ -38,10 +39,17 @@ struct TriangleShading {
 /// the normals lie along it. Symmetric in a and b to the bit, so that neighbours agree.
 glm::dvec3 midpoint_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& eye);
 
-/// Colour and depth of one triangle, from its unclipped, snapped vertices. Nodes are clamped to ±306 and shaded with
-/// shade(): `flat` at the centroid with the face normal; `gouraud` at the vertices; `quadratic` (paper `quadratic`,
-/// section 3) at the vertices and in the middle of the edges, with midpoint_normal(). \throws Error for `phong`.
-TriangleShading shade_triangle(Method method, const Scene& scene, const ScreenTriangle& triangle);
+/// The nodes of one triangle, clamped to ±306 and shaded with shade(): `flat` at the centroid with the face normal;
+/// `gouraud` at the vertices; `quadratic` (paper `quadratic`, section 3) at the vertices and in the middle of the
+/// edges, with midpoint_normal(). \throws Error for `phong`.
+TriangleNodes shade_nodes(Method method, const Scene& scene, const ScreenTriangle& triangle);
+
+/// Red, green and blue through the nodes, over the triangle's snapped vertices, about `origin`.
+std::array<Polynomial, 3> fit_colour(const TriangleNodes& nodes, const ScreenTriangle& triangle,
+                                     const PixelIndex& origin);
+
+/// Depth in 16-bit steps, linear on the screen, over the triangle's snapped vertices, about `origin`.
+Polynomial fit_depth(const ScreenTriangle& triangle, const PixelIndex& origin);
 
 /// A triangle as a device gets it, in fields.
 struct TriangleSetup {
@@ -52,10 +60,14 @@ struct TriangleSetup {
     std::optional<ChannelWords> depth;
 };
 
-/// All setups of a scene, in drawing order: one per clipped piece that covers a pixel. The polynomial is the unclipped
-/// triangle's, rounded about the centre of the piece's bounding box; ½ is folded into colour and depth. Only a piece of
-/// a sliver so thin that snapping took it out of its triangle gets a polynomial of its own, with nodes at the border.
-/// \throws Error for `phong` when a pixel is covered.
+/// The setup of one of the triangle's walks. The polynomial is the whole triangle's, rounded about the middle of what
+/// the walk covers; ½ is folded into colour and depth.
+TriangleSetup make_setup(const TriangleNodes& nodes, const ScreenTriangle& triangle, const TriangleWalk& walk);
+
+/// Its depth channel alone: what decides, to the bit, which triangle a device's picture shows at a pixel.
+ChannelWords depth_words(const ScreenTriangle& triangle, const TriangleWalk& walk);
+
+/// All setups of a scene, in drawing order: one per walk. \throws Error for `phong` when a pixel is covered.
 std::vector<TriangleSetup> make_setups(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles);
 
 }  // namespace sheen

@@ -26,11 +26,7 @@ struct Polynomial {
     int origin_x = 0;
     int origin_y = 0;
     /// Value at the centre of pixel (x, y).
-    [[nodiscard]] double at(int x, int y) const { return static_cast<double>(value(x, y)); }
-    /// Value anywhere, in pixels: whole x and y are pixel centres.
-    [[nodiscard]] Coefficient value(Coefficient x, Coefficient y) const;
-    /// The same function about another origin.
-    [[nodiscard]] Polynomial recentred(int x, int y) const;
+    [[nodiscard]] double at(int x, int y) const;
 };
 
 /// A pixel, by its indices.
@@ -41,19 +37,25 @@ struct PixelIndex {
 
 /// The pixel that holds the bounding box's centre: rounding coefficients about it costs the least.
 PixelIndex centre_pixel(const std::array<SnappedPoint, 3>& triangle);
-
-/// Barycentric coordinates of a point; they add up to 1. The triangle must have an area.
-std::array<Coefficient, 3> barycentric_coordinates(const std::array<SnappedPoint, 3>& triangle,
-                                                   const SnappedPoint& point);
+/// The pixel in the middle of the walk's covered pixels.
+PixelIndex centre_pixel(const TriangleWalk& walk);
 
 /// The linear function with the given values at the vertices; a constant, their mean, when the triangle has no area.
-Polynomial fit_linear(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 3>& values);
+/// `origin` lies in the triangle's bounding box.
+Polynomial fit_linear(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 3>& values,
+                      const PixelIndex& origin);
 
 /// The quadratic with the given values at vertices 0, 1, 2 and at the midpoints of edges 01, 12, 20 (paper
-/// `quadratic`, section 3), about centre_pixel(). Solved in barycentric form: one division, by the doubled area, so
-/// that no edge is special. The printed T₃, T₄, T₅ are singular when edge 12 of the paper is horizontal.
-/// A constant, the mean of the values, when the triangle has no area.
-Polynomial fit_quadratic(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 6>& values);
+/// `quadratic`, section 3), about `origin`, which lies in the triangle's bounding box. Solved in barycentric form: one
+/// division, by the doubled area, so that no edge is special. The printed T₃, T₄, T₅ are singular when edge 12 of the
+/// paper is horizontal. A constant, the mean of the values, when the triangle has no area.
+///
+/// With values within ±306 the result is at most 2^−21 off the exact quadratic anywhere in the triangle, whatever its
+/// shape. That is why the work is done in double while s = L²/(2·area) ≤ 64, L the longest edge, and in Coefficient
+/// beyond: a barycentric coordinate's three terms add up to at most 2.5·s in magnitude, the 12 products of two of them
+/// with their weights to 18·306·(2.5·s)², and each has met at most 17 roundings of 2^−53: 6.5·10^−11·s² in all.
+Polynomial fit_quadratic(const std::array<SnappedPoint, 3>& triangle, const std::array<double, 6>& values,
+                         const PixelIndex& origin);
 
 /// The six words {I, D, E, h, dD, dE} of a channel, modulo 2^32.
 struct ChannelWords {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace sheen {
 
@@ -28,8 +29,9 @@ struct EdgePhase {
     std::uint32_t step = 0;
 };
 
-/// The geometry of one triangle packet: what the edge walker is loaded with.
-/// Signed fields (kappa, m, m_below) are kept signed here and encoded modulo 2^12.
+/// The geometry of one triangle packet: what the edge walker is loaded with. A triangle, or what the image leaves of
+/// one: a shape between a long edge and, on the other side, two edges that meet at the middle vertex or leave a jump
+/// there. Signed fields (kappa, m, m_below) are kept signed here and encoded modulo 2^12.
 struct TriangleWalk {
     int x = 0;              ///< first pixel of the first row (in the span's direction)
     int y = 0;              ///< first row
@@ -48,6 +50,12 @@ struct TriangleWalk {
 /// Returns nothing when no pixel centre is covered. Fields of a part without rows are 0.
 /// \throws Error when a coordinate lies outside [0, 4095·256].
 std::optional<TriangleWalk> walk_triangle(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c);
+
+/// The walks of a triangle's pixels in the image, in any winding, with coordinates within ±2^29, from top to bottom:
+/// exactly the centres that the whole triangle covers, each in one walk, however its edges leave the image (1…4095
+/// pixels wide and high). Only a triangle that leaves the image at its sides, or is higher than 4096 px, has several.
+std::vector<TriangleWalk> walk_in_image(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c, int width,
+                                        int height);
 
 /// One row of a walk, as a device sees it: x, y and length in 0…4095.
 struct WalkRow {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The double-precision reference: any method evaluated at every covered pixel, with the devices' coverage and depth rule.
+/// The double-precision reference: any method evaluated at every covered pixel, with the devices' coverage and depth
+/// rule.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,14 +18,15 @@ struct ReferenceImage {
     int height = 0;
     std::vector<glm::dvec3> colour;  ///< 8-bit steps, saturated to 0…255, not rounded; row 0 at the top
     std::vector<bool> covered;
-    std::size_t triangles = 0;       ///< pieces that covered a pixel
-    std::size_t pixels = 0;          ///< pixels drawn, hidden ones included
+    std::size_t triangles = 0;  ///< walks: triangles that covered a pixel, or what the image leaves of them
+    std::size_t pixels = 0;     ///< pixels drawn, hidden ones included
     /// Rounded to 8 bits.
     [[nodiscard]] Image image() const;
 };
 
-/// Renders `method` per pixel. For `phong` normals are interpolated linearly and normalised, then shaded (the reference of all
-/// comparisons); the others evaluate their polynomial in double. Depth is compared as 16-bit integers, as devices do.
+/// Renders `method` per pixel. For `phong` normals are interpolated linearly and normalised, then shaded (the reference
+/// of all comparisons); the others interpolate their nodes in double, in barycentric form. Coverage and depth are the
+/// devices', to the bit, so that a pixel shows the same triangle.
 ReferenceImage render_reference(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles);
 
 }  // namespace sheen

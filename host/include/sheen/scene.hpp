@@ -36,24 +36,17 @@ struct ScreenVertex {
     glm::dvec3 normal{0.0};    ///< eye space, unit
 };
 
-/// A front-facing triangle (or a flipped back face) that may touch the image. `vertices` is the unclipped triangle: it
-/// defines the shading polynomial. `pieces` are the triangles that remain after clipping to the image and snapping
-/// again: they define coverage. A triangle inside the image is its own single piece.
+/// A front-facing triangle (or a flipped back face) with its pixels in the image. `vertices` define the shading
+/// polynomial and, by the top-left rule, the coverage; `walks` are the covered pixels in the image.
 struct ScreenTriangle {
     std::array<ScreenVertex, 3> vertices;
     glm::dvec3 face_normal{0.0};  ///< eye space, unit, on the visible side
-    std::vector<std::array<SnappedPoint, 3>> pieces;
+    std::vector<TriangleWalk> walks;
 };
 
-/// Projects, culls, snaps and clips. The order is the mesh's.
+/// Projects, culls, snaps and clips; keeps the triangles that cover a pixel. The order is the mesh's.
 /// \throws UsageError for an impossible size, Error for a mesh whose radius is 0 or not finite.
 std::vector<ScreenTriangle> project(const Scene& scene);
-
-/// Clips a snapped triangle (coordinates within ±2^29) to [0, 256·width] × [0, 256·height] and triangulates what is
-/// left, winding kept. Intersections are exact rationals, rounded once to nearest, whatever the direction of the edge:
-/// two triangles sharing an edge clip it to the same points. Nothing is left of a triangle without area.
-std::vector<std::array<SnappedPoint, 3>> clip_to_image(const std::array<SnappedPoint, 3>& triangle, int width,
-                                                       int height);
 
 /// Unit vector from a surface point towards the eye: (0, 0, 1) for the orthographic camera.
 glm::dvec3 to_eye(const Scene& scene, const glm::dvec3& position);
