@@ -93,8 +93,8 @@ Outcome decode(const std::vector<StreamPacket>& packets, Rng& rng, unsigned stal
     const auto stalls = [&] { return stall_percent != 0 && rng() % 100 < stall_percent; };
     const auto clock = [&](const typename decoder::beat_t& beat) {
         const bool taken = state.job.valid && !stalls();
-        if (taken) outcome.jobs.push_back(job_of<shape>(state));
         state = decoder::step(state, beat, taken);
+        if (taken) outcome.jobs.push_back(job_of<shape>(state));  // channels load in the clock after
         ++outcome.clocks;
     };
     for (const StreamPacket& packet : packets) {
@@ -202,9 +202,9 @@ TEST_F(PacketDecoder, KeepsAJobAndItsWordsUntilTheyAreTaken) {
             std::size_t taken = 0;
             for (int clock = 0; clock < 20; ++clock) {
                 ASSERT_EQ(state.job.valid, 1) << "clock " << clock;
-                ASSERT_EQ(job_of<decltype(shape)>(state), expected) << "clock " << clock;
                 const bool ready = decoder::ready(state) != 0;
                 state = decoder::step(state, beat_of<decoder>(second[taken]), 0);
+                ASSERT_EQ(job_of<decltype(shape)>(state), expected) << "clock " << clock;
                 taken += ready ? 1 : 0;
             }
             ASSERT_EQ(taken, 1U) << "only the header fits beside a waiting job";
