@@ -22,6 +22,13 @@ Words small_render(const Words& more) {
     return words;
 }
 
+TEST_F(command, what_the_parser_refuses_is_answered_with_where_to_look) {
+    expect_refusal({}, 2, "`sheen --help`");
+    expect_refusal({"info", "--colour"}, 2, "`sheen info --help`");
+    expect_refusal(small_render({"--srgb=maybe"}), 2, "`sheen render --help`");
+    expect_refusal(small_render({"--size", "9x9"}), 2, "`sheen render --help`");
+}
+
 TEST_F(command, malformed_requests_exit_with_2_and_one_line_that_names_the_culprit) {
     expect_refusal({}, 2, "subcommand");
     expect_refusal({"paint"}, 2, "paint");
@@ -51,6 +58,8 @@ TEST_F(command, malformed_requests_exit_with_2_and_one_line_that_names_the_culpr
         expect_refusal(small_render({"--light", "0,0,1", "--light-colour", colour}), 2, "--light-colour");
     }
     expect_refusal(small_render({"--light-colour", "1,1,1", "--light", "0,0,1"}), 2, "--light-colour");
+    expect_refusal(small_render({"--light", "0,0,1", "--light-colour", "1,1,1", "--light-colour", "1,0,0"}), 2,
+                   "'1,0,0': the light before it has a colour");
     for (const char* shininess : {"-1", "nan", "inf", "many", "1,2", "5x"}) {
         expect_refusal(small_render({"--shininess", shininess}), 2, "--shininess");
     }

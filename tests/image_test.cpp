@@ -157,14 +157,36 @@ TEST_F(ImageFile, AFailureNamesTheFileAndLeavesNothingBehind) {
     EXPECT_TRUE(fs::is_empty(path("folder")));
 }
 
-TEST_F(ImageFile, AFileThatCannotBeReplacedKeepsItsContent) {
-    if (::geteuid() == 0) {
-        GTEST_SKIP() << "root may write anywhere";
+/// Root may write anywhere: while this lives, a test that runs as root acts as a user without rights.
+class OrdinaryUser {
+ public:
+    OrdinaryUser() {
+        if (before_ == 0) {
+            EXPECT_EQ(::seteuid(nobody), 0);
+        }
     }
+    ~OrdinaryUser() {
+        if (before_ == 0) {
+            EXPECT_EQ(::seteuid(before_), 0);
+        }
+    }
+    OrdinaryUser(const OrdinaryUser&) = delete;
+    OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+
+ private:
+    static constexpr uid_t nobody = 65534;
+    uid_t before_ = ::geteuid();
+};
+
+TEST_F(ImageFile, AWriteProtectedFileKeepsItsContentEvenWhereItsFolderIsWritable) {
     std::ofstream(path("a.bin")) << "old";
-    fs::permissions(path("a.bin"), fs::perms::owner_read);
+    fs::permissions(path("a.bin"), fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read);
+    fs::permissions(path(""), fs::perms::all);
     const std::string text = "new";
-    EXPECT_THROW(write_file_atomically(path("a.bin"), text.data(), text.size()), Error);
+    {
+        const OrdinaryUser user;
+        EXPECT_THROW(write_file_atomically(path("a.bin"), text.data(), text.size()), Error);
+    }
     EXPECT_EQ(content(path("a.bin")), "old");
     EXPECT_EQ(files(), 1);
 }

@@ -111,7 +111,7 @@ void write_file_atomically(const std::string& path, const void* data, std::size_
             }
             return;
         }
-        if (::access(target.c_str(), W_OK) != 0) {
+        if (::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
             fail(path, errno);
         }
     }

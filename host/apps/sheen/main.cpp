@@ -36,6 +36,12 @@ void require_known_subcommand(const CLI::App& app, int argc, char** argv) {
     }
 }
 
+/// The parser names the culprit only; this is where its user finds what would be right.
+std::string remedy(int argc, char** argv) {
+    const bool named = argc > 1 && argv[1][0] != '-';
+    return std::string("; `sheen ") + (named ? std::string(argv[1]) + " " : "") + "--help` lists what it takes";
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Phong-quality shading at the price of Gouraud shading: kernels, VHDL and reference, side by side.",
                  "sheen");
@@ -56,7 +62,7 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         // Help and version arrive as parse errors of status 0.
-        return error.get_exit_code() == 0 ? app.exit(error) : complain(error.what(), status_usage);
+        return error.get_exit_code() == 0 ? app.exit(error) : complain(error.what() + remedy(argc, argv), status_usage);
     }
     return 0;
 }

@@ -46,6 +46,7 @@ void SceneOptions::add_light_options(CLI::App& command) {
                 DirectionalLight light;
                 light.direction = parse_direction("--light", word);
                 scene_.lights.push_back(light);
+                light_has_colour_ = false;
             },
             "Direction towards a light, eye space; repeat for more [-.4,.5,.77]")
         ->trigger_on_parse()
@@ -58,7 +59,12 @@ void SceneOptions::add_light_options(CLI::App& command) {
                 if (scene_.lights.empty()) {
                     throw UsageError("--light-colour '" + word + "': give it after the --light that it belongs to");
                 }
+                if (light_has_colour_) {
+                    throw UsageError("--light-colour '" + word +
+                                     "': the light before it has a colour; give one a light");
+                }
                 scene_.lights.back().colour = parse_vector("--light-colour", word, light_colours);
+                light_has_colour_ = true;
             },
             "Colour of the light before it [1,1,1]")
         ->trigger_on_parse()

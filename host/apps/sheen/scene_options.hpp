@@ -32,6 +32,7 @@ class SceneOptions {
     void add_material_options(CLI::App& command);
 
     Scene scene_;
+    bool light_has_colour_ = false;  ///< the last light was given one
     std::string mesh_;
     bool srgb_ = false;
 };
