@@ -12,6 +12,7 @@ from pathlib import Path
 
 from vunit import VUnit, VUnitCLI
 
+import units_boards
 import units_core_a
 import units_core_b
 import units_spherical
@@ -48,10 +49,11 @@ def main():
     sheen = vunit.add_library("sheen")
     for name in (RTL / "files.txt").read_text(encoding="utf-8").split():
         sheen.add_source_file(RTL / name)
+    sheen.add_source_files(ROOT / "constraints" / "*" / "*.vhd")
     bench = vunit.add_library("bench")
     bench.add_source_files(BENCH / "*.vhd")
 
-    for units in (units_spherical, units_core_a, units_core_b):
+    for units in (units_spherical, units_core_a, units_core_b, units_boards):
         units.add_configs(bench, arguments.vectors, arguments.output_path)
     vunit.main(post_run=print_compared)
 

@@ -19,14 +19,14 @@ STALLS = (0, 50)
 WITH_VECTORS = "every_"
 
 
-def write_vectors(program, folder):
-    """Write a unit's vectors into an empty `folder`; False, which fails the test, if the program fails."""
+def write_vectors(program, folder, count=COUNT):
+    """Write `count` vectors of a unit into an empty `folder`; False, which fails the test, if the program fails."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     if not program.exists():
         print(f"{program}: is missing; `make build` makes it")
         return False
-    return subprocess.run([program, folder, str(SEED), str(COUNT)], check=False).returncode == 0
+    return subprocess.run([program, folder, str(SEED), str(count)], check=False).returncode == 0
 
 
 def remove_vectors(folder):
