@@ -11,6 +11,8 @@ JOBS     ?= $(shell nproc)
 PREFIX   ?= /usr/local
 DESTDIR  ?=
 DEMO     ?= full
+BENCH    ?= quick
+CORE     ?=
 SANITIZE ?= 0
 ifeq ($(origin CXX),default)
 CXX := g++
@@ -32,6 +34,7 @@ else
 AC_TYPES_OLD :=
 SETUP := build/setup/packages build/setup/python
 endif
+VERSION := $(shell sed -n 's/^project(sheen VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 AC_TYPES_ALL := $(AC_TYPES) $(AC_TYPES_OLD)
 
 CONFIGURE = cmake -G Ninja -S . -Wno-dev --log-level=WARNING -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$(CXX)" \
@@ -59,7 +62,9 @@ help:
 	@echo "  test-install  install under build/ and build a small project on the installed package"
 	@echo "  lint          format, warnings, VHDL style, synthesizability; nothing may be found"
 	@echo "  format        bring all C++ into the project's format"
-	@echo "  bench         speed of kernels and host library"
+	@echo "  test-ip       each core of make ip in a folder of its own: Icarus, Verilator, GHDL"
+	@echo "  bench         pixels per clock, speed of devices, kernels and host: tables in docs/benchmarks.md, plots in build/bench"
+	@echo "  ip            cores to take away, in build/ip: one Verilog file, VHDL, example, FuseSoC file each"
 	@echo "  install       headers, libsheen, CMake package, pkg-config file and command into PREFIX"
 	@echo "  clean         remove what was built, keep what setup fetched; distclean removes that, too"
 	@echo
@@ -67,6 +72,8 @@ help:
 	@echo "  PREFIX        where install puts things; default = $(PREFIX)"
 	@echo "  DESTDIR       staging folder before PREFIX, for packagers; default = $(DESTDIR)"
 	@echo "  DEMO          small or full pictures; default = $(DEMO)"
+	@echo "  BENCH         quick or full measurements; default = $(BENCH)"
+	@echo "  CORE          cores of make ip, names of scripts/ip/cores.txt; default = all"
 	@echo "  SANITIZE      1: test under the address and undefined-behaviour sanitizers; default = $(SANITIZE)"
 	@echo "  AC_TYPES      folder of ac_fixed.h; default = $(AC_TYPES)"
 	@echo "  CXX           C++ compiler; default = $(CXX)"
@@ -96,7 +103,7 @@ $(SETUP): build/setup/%: scripts/setup.sh
 
 ##### Building
 
-.PHONY: build install generate check-generated bench
+.PHONY: build install generate check-generated bench ip
 build: $(SETUP)
 	$(build_release) all product
 
@@ -114,7 +121,11 @@ check-generated: $(SETUP)
 
 bench: $(SETUP)
 	$(build_release) benchmarks
-	@for program in build/release/benchmarks/*; do "$$program"; done
+	@scripts/bench/run.sh $(BENCH) build/release build/bench
+
+ip: $(SETUP)
+	$(build_release) make_ip_example
+	@$(VENV)/python scripts/ip/make_ip.py build/ip build/release/make_ip_example $(VERSION) $(CORE)
 
 .PHONY: demo
 demo: $(SETUP)
@@ -123,12 +134,13 @@ demo: $(SETUP)
 
 ##### Tests
 
-.PHONY: test test-native test-vhdl test-sanitize test-install test-full
+.PHONY: test test-native test-vhdl test-sanitize test-install test-ip test-full
+IP_TEST ?= quick
 ifeq ($(SANITIZE),1)
 test: test-sanitize
 else
-test: check-generated test-native test-vhdl
-	@echo "test: generated files are fresh; native tests and VHDL benches passed"
+test: check-generated test-native test-vhdl test-ip
+	@echo "test: generated files are fresh; native tests, VHDL benches and cores to take away passed"
 endif
 
 test-native: build
@@ -145,6 +157,10 @@ test-sanitize: $(SETUP)
 test-install: build
 	@scripts/test_install.sh build/install-test
 
+test-ip: ip
+	@scripts/ip/test_ip.sh $(IP_TEST) build/ip
+
+test-full: IP_TEST := full
 test-full: test test-sanitize test-install
 
 ##### Lint

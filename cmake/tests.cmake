@@ -38,6 +38,11 @@ foreach(source ${test_sources})
   endif()
 endforeach()
 
+# Tests that count the clocks of each stream width.
+foreach(name cycle_model_test throughput_test)
+  add_dependencies(${name} device_verilator device_verilator-w32 device_verilator-w128)
+endforeach()
+
 # make_vectors_<unit> OUTDIR [seed] [count] writes a bench's vectors.
 file(GLOB vector_sources CONFIGURE_DEPENDS tests/vectors/make_vectors_*.cpp)
 foreach(source ${vector_sources})
@@ -56,6 +61,16 @@ foreach(source ${benchmark_sources})
   target_link_libraries(${name} PRIVATE sheen sheen_hls sheen_warnings benchmark::benchmark_main)
   add_dependencies(benchmarks ${name})
 endforeach()
+
+# throughput quick|full OUT.json counts the core's clocks; it finds the devices beside itself.
+add_executable(throughput EXCLUDE_FROM_ALL tests/bench/throughput.cpp)
+target_link_libraries(throughput PRIVATE sheen sheen_hls sheen_warnings fmt::fmt nlohmann_json::nlohmann_json)
+add_dependencies(throughput device_ghdl device_verilator device_verilator-w32 device_verilator-w128)
+add_dependencies(benchmarks throughput)
+
+# make_ip_example writes the vectors of the example of `make ip`.
+add_executable(make_ip_example EXCLUDE_FROM_ALL tests/ip/make_ip_example.cpp)
+target_link_libraries(make_ip_example PRIVATE sheen sheen_hls sheen_warnings fmt::fmt)
 
 # Every bad kernel tests/lint/<reason>/*.cpp is refused, for that reason; those of tests/lint/accepted pass.
 file(GLOB lint_sources CONFIGURE_DEPENDS tests/lint/*/*.cpp)
