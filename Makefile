@@ -34,7 +34,7 @@ else
 AC_TYPES_OLD :=
 SETUP := build/setup/packages build/setup/python
 endif
-VERSION := $(shell sed -n 's/^project(sheen VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+VERSION := $(shell sed -n 's/^project.sheen VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 AC_TYPES_ALL := $(AC_TYPES) $(AC_TYPES_OLD)
 
 CONFIGURE = cmake -G Ninja -S . -Wno-dev --log-level=WARNING -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$(CXX)" \
