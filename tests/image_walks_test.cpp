@@ -178,22 +178,26 @@ TEST(ImageWalks, ATriangleInsideIsOneWalkAndOneOutsideOrWithoutAreaNone) {
     EXPECT_TRUE(walk_in_image({-512, -512}, {256, 256}, {1024, 1024}, width, height).empty()) << "no area";
 }
 
-/// Edges so high that a phase accumulator can't follow them over the whole image.
+/// Edges so high that a phase accumulator can't follow them over the whole image, through a pixel centre every few
+/// rows.
 TEST(ImageWalks, TheGreatestCoordinatesStayExactDownTheHighestImage) {
     Rng rng(seed + 6);
     constexpr std::int64_t far = std::int64_t{1} << 29;
+    constexpr int narrow = 12;
     constexpr int tall = 4095;
-    for (int i = 0; i < 30; ++i) {
-        const std::int64_t x = uniform(rng, 0, 256 * 4);
-        const Triangle t{SnappedPoint{x + uniform(rng, -400, 400), -far + uniform(rng, 0, 9)},
-                         SnappedPoint{x + uniform(rng, -400, 400), far - uniform(rng, 0, 9)},
-                         SnappedPoint{uniform(rng, -far, far), uniform(rng, -far, far)}};
+    for (int i = 0; i < 20; ++i) {
+        const SnappedPoint centre = pixel_centre(uniform(rng, 0, narrow - 1), uniform(rng, 0, 40));
+        const SnappedPoint step{256 * (2 * uniform(rng, 0, 1) - 1), 256 * uniform(rng, 300, 900)};
+        const std::int64_t steps = (far - (1 << 20)) / step.y;
+        const Triangle t{SnappedPoint{centre.x - steps * step.x, centre.y - steps * step.y},
+                         SnappedPoint{centre.x + steps * step.x, centre.y + steps * step.y},
+                         SnappedPoint{uniform(rng, 0, 1) == 0 ? -far : far, uniform(rng, -far, far)}};
         Coverage coverage;
-        add_coverage(coverage, t, 4, tall);
+        add_coverage(coverage, t, narrow, tall);
         for (int y = 0; y < tall; ++y) {
-            for (int px = 0; px < 4; ++px) {
-                ASSERT_EQ((coverage[{px, y}]), moved_sample_covers(t, px, y) ? 1 : 0)
-                    << px << ", " << y << ", " << text(t);
+            for (int x = 0; x < narrow; ++x) {
+                ASSERT_EQ((coverage[{x, y}]), moved_sample_covers(t, x, y) ? 1 : 0)
+                    << x << ", " << y << ", " << text(t);
             }
         }
     }
