@@ -23,11 +23,13 @@ constexpr Clock long_ago = -1000;
 constexpr std::size_t beat_queue_places = 16;
 constexpr std::size_t span_queue_places = (std::size_t{1} << hls::span_queue_log2) - hls::span_queue_reserve;
 constexpr std::size_t pixel_queue_places = (std::size_t{1} << hls::pixel_queue_log2) - hls::pixel_queue_reserve;
+constexpr std::size_t late_pushes = 2;       // at most so many spans are not counted in the span queue yet
 constexpr std::size_t pixels_under_way = 5;  // between the span walker and the count of the pixel queue
 constexpr Clock queue_to_fetch = 1;          // stream_fifo: from write to fetch, and from fetch to valid
 constexpr Clock header_to_verdict = 3;       // packet_decoder: a message waits for it
+constexpr Clock room_to_row = 1;             // edge_walker: a row waits for the room of the clock before
 constexpr Clock row_to_queue = 1;            // edge_walker: latency
-constexpr Clock pixel_to_output = 6;         // span walker to valid on m_axis
+constexpr Clock pixel_to_output = 7;         // span walker to valid on m_axis
 
 /// The last `places` events of a stage: when was the one that many before the next?
 template <std::size_t places>
@@ -132,18 +134,23 @@ class Core {
         return last + 1;
     }
 
-    /// The first clock from `ready` on in which the span queue has room. Room is counted from registered writes: a span
-    /// of the clock before is not in the count yet.
-    [[nodiscard]] Clock room_from(Clock ready) const {
-        const bool uncounted = ready == last_push_ + 1;
-        if (uncounted && span_fetches_.before_next(span_queue_places + 1) < ready) return ready;
-        return std::max(ready + (uncounted ? 1 : 0), span_fetches_.before_next(span_queue_places) + 1);
+    /// The first clock from `ready` on in which the walker may write the span queue, which it asks for room `ahead` of
+    /// the write. Room is counted from registers: the last spans are not in the count yet.
+    [[nodiscard]] Clock room_from(Clock ready, Clock ahead) const {
+        for (Clock clock = ready;; ++clock) {
+            const Clock counted = clock - ahead - 1 - row_to_queue;
+            std::size_t uncounted = 0;
+            while (uncounted < late_pushes && pushes_.before_next(uncounted + 1) > counted) ++uncounted;
+            const Clock freed = span_fetches_.before_next(span_queue_places + uncounted) + 1 + ahead;
+            if (freed <= clock) return clock;
+            if (uncounted == 0) return freed;
+        }
     }
 
     /// A span through its queue and out, word by word. `decided`: the clock of its row. Returns when its first word
     /// starts.
     Clock push_span(Clock decided, int words) {
-        last_push_ = decided;
+        pushes_.push(decided);
         const Clock fetched = std::max(decided + row_to_queue + queue_to_fetch, span_taken_);
         span_fetches_.push(fetched);
         Clock word = std::max(fetched + queue_to_fetch, span_ends_);
@@ -162,34 +169,29 @@ class Core {
     }
 
     void walk(const TriangleWalk& triangle, Clock ready) {
-        job_taken_ = std::max({ready, walker_ready_, first_span_taken_ + 1});
+        job_taken_ = std::max({ready, walker_idle_, first_span_taken_ + 1});
         Clock clock = job_taken_ + 2;  // state prime
         if (triangle.rows_above == 0) ++clock;
-        const int rows = triangle.rows_above + triangle.rows_below;
         bool first = true;
         int carries = 0;
         for_each_row(triangle, [&](const WalkRow& row) {
             // What stands between the row before and this one: its carry, or the middle vertex.
             if (row.carries > carries || (row.row > 0 && row.row == triangle.rows_above)) ++clock;
             carries = row.carries;
-            clock = room_from(clock);
-            const bool was_first = first;
+            clock = room_from(clock, room_to_row);
             if (row.length > 0) {
                 const Clock taken = push_span(clock, row.length);
                 if (first) first_span_taken_ = taken;
                 first = false;
             }
-            // The next triangle is loaded in the last row's clock, unless the first span stands in that row.
-            if (row.row + 1 == rows) walker_ready_ = clock + (was_first ? 1 : 0);
-            walker_idle_ = clock + 1;
             ++clock;
         });
+        walker_idle_ = clock;
     }
 
     void answer(int words, Clock ready) {
-        job_taken_ = room_from(std::max(ready, walker_idle_));
+        job_taken_ = room_from(std::max(ready, walker_idle_), 0);
         push_span(job_taken_, words);
-        walker_ready_ = job_taken_ + 1;
         walker_idle_ = job_taken_ + 1;
     }
 
@@ -200,15 +202,14 @@ class Core {
     Clock accepted_ = long_ago;
     Clock header_ready_ = long_ago;
     Clock job_taken_ = long_ago;
-    Clock walker_ready_ = long_ago;
     Clock walker_idle_ = long_ago;
     Clock first_span_taken_ = long_ago;
-    Clock last_push_ = long_ago;
     Clock span_taken_ = long_ago;
     Clock span_ends_ = long_ago;
     Clock output_ = long_ago;
     History<beat_queue_places> beat_fetches_;
-    History<span_queue_places + 1> span_fetches_;
+    History<late_pushes> pushes_;
+    History<span_queue_places + late_pushes> span_fetches_;
     History<pixel_queue_places + pixels_under_way> outputs_;
 };
 
@@ -224,6 +225,7 @@ CycleBounds cycle_bounds(const std::vector<std::uint32_t>& packets, int words_pe
         work.pixels = static_cast<std::uint64_t>(job.message_words);
         work.walk = 1;
         if (job.walk) {
+            work.walk = 2;
             std::uint64_t carries = 0;
             for_each_row(*job.walk, [&](const WalkRow& row) {
                 work.walk += 1;

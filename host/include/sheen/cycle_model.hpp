@@ -13,7 +13,7 @@ namespace sheen {
 /// What a packet gives each stage to do, in clocks of a stage that never waits.
 struct StageWork {
     std::uint64_t beats = 0;   ///< setup stream
-    std::uint64_t walk = 0;    ///< edge walker: a clock to begin, one a row, one a carry
+    std::uint64_t walk = 0;    ///< edge walker: two clocks to begin, one a row, one a carry; one for a message
     std::uint64_t pixels = 0;  ///< span walker: pixels and message words
 };
 
