@@ -13,6 +13,10 @@ DESTDIR  ?=
 DEMO     ?= full
 BENCH    ?= quick
 CORE     ?=
+PART     ?=
+BOARD    ?=
+SEEDS    ?= 5
+UPDATE   ?= 0
 SANITIZE ?= 0
 ifeq ($(origin CXX),default)
 CXX := g++
@@ -63,6 +67,8 @@ help:
 	@echo "  lint          format, warnings, VHDL style, synthesizability; nothing may be found"
 	@echo "  format        bring all C++ into the project's format"
 	@echo "  test-ip       each core of make ip in a folder of its own: Icarus, Verilator, GHDL"
+	@echo "  fpga          cores on FPGAs: area, clock, bitstreams in build/fpga, table in docs/fpga.md; BOARD=: its bitstream"
+	@echo "  test-area     area of every unit and core against tests/area; UPDATE=1 records it"
 	@echo "  bench         pixels per clock, speed of devices, kernels and host: tables in docs/benchmarks.md, plots in build/bench"
 	@echo "  ip            cores to take away, in build/ip: one Verilog file, VHDL, example, FuseSoC file each"
 	@echo "  install       headers, libsheen, CMake package, pkg-config file and command into PREFIX"
@@ -73,7 +79,10 @@ help:
 	@echo "  DESTDIR       staging folder before PREFIX, for packagers; default = $(DESTDIR)"
 	@echo "  DEMO          small or full pictures; default = $(DEMO)"
 	@echo "  BENCH         quick or full measurements; default = $(BENCH)"
-	@echo "  CORE          cores of make ip, names of scripts/ip/cores.txt; default = all"
+	@echo "  CORE          cores of make ip (scripts/ip/cores.txt) or make fpga (scripts/fpga/designs.py); default = all"
+	@echo "  PART          parts of make fpga: ecp5-85k-6 ecp5-85k-8 ice40-hx8k ice40-up5k; default = all"
+	@echo "  BOARD         board of make fpga: ulx3s, hx8k_breakout or icebreaker; default = none, cores are built"
+	@echo "  SEEDS         runs of placement and routing a core and part; default = $(SEEDS)"
 	@echo "  SANITIZE      1: test under the address and undefined-behaviour sanitizers; default = $(SANITIZE)"
 	@echo "  AC_TYPES      folder of ac_fixed.h; default = $(AC_TYPES)"
 	@echo "  CXX           C++ compiler; default = $(CXX)"
@@ -126,6 +135,19 @@ bench: $(SETUP)
 ip: $(SETUP)
 	$(build_release) make_ip_example
 	@$(VENV)/python scripts/ip/make_ip.py build/ip build/release/make_ip_example $(VERSION) $(CORE)
+
+# The tools of `make fpga` alone are large, so they come when it first needs them.
+build/setup/fpga: scripts/setup.sh scripts/requirements-fpga.txt build/setup/packages build/setup/python
+	@scripts/setup.sh fpga
+	@touch $@
+
+.PHONY: fpga test-area
+fpga: $(SETUP) build/setup/fpga
+	@$(VENV)/python scripts/fpga/make_fpga.py --core "$(CORE)" --part "$(PART)" --board "$(BOARD)" --seeds "$(SEEDS)" \
+	    --jobs "$(JOBS)"
+
+test-area: $(SETUP)
+	@$(VENV)/python scripts/fpga/test_area.py --update "$(UPDATE)"
 
 .PHONY: demo
 demo: $(SETUP)

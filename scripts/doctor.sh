@@ -4,7 +4,7 @@
 # doctor.sh            prints a table of every tool: name, version found, version needed, how to get it.
 # doctor.sh --missing  prints the Debian packages of the system tools that are missing or too old, one a line.
 #
-# The tools stand in tools.txt and requirements.txt. AC_TYPES names the folder of the ac_types headers.
+# The tools stand in tools.txt, requirements.txt and requirements-fpga.txt. AC_TYPES names the folder of the ac_types headers.
 # Exit status of the table: 0 everything is there, 1 something is missing or too old.
 set -euo pipefail
 
@@ -40,12 +40,12 @@ print_missing() {
 
 missing=0
 
-# row NAME FOUND NEEDED REMEDY STATUS(0: serves)
+# row NAME FOUND NEEDED REMEDY STATUS(0: serves, 1: missing, 2: comes when it is first needed)
 row() {
     local found=${2:-missing} remedy=$4
     if [[ $5 -eq 0 ]]; then
         remedy=ok
-    else
+    elif [[ $5 -eq 1 ]]; then
         missing=$((missing + 1))
     fi
     printf '%-16s %-10s %-8s %s\n' "$1" "$found" "$3" "$remedy"
@@ -58,6 +58,7 @@ system_row() {
     row "$1" "$found" "$3" "apt-get install $2" "$status"
 }
 
+# python_rows FILE REMEDY STATUS(of one that is missing)
 python_rows() {
     local requirement name needed found status
     while read -r requirement; do
@@ -66,9 +67,9 @@ python_rows() {
         found=$("$root/build/venv/bin/python" -c \
             "import importlib.metadata, sys; print(importlib.metadata.version('$name'))" 2>/dev/null) || found=
         status=0
-        [[ $found == "$needed" ]] || status=1
-        row "$name" "$found" "$needed" "make setup" "$status"
-    done < <(grep -vE '^(#|$)' "$here/requirements.txt")
+        [[ $found == "$needed" ]] || status=$3
+        row "$name" "$found" "$needed" "$2" "$status"
+    done < <(grep -vE '^(#|$)' "$here/$1")
 }
 
 ac_types_row() {
@@ -85,7 +86,8 @@ fi
 
 printf '%-16s %-10s %-8s %s\n' tool found needed 'how to get it'
 system_tools system_row
-python_rows
+python_rows requirements.txt "make setup" 1
+python_rows requirements-fpga.txt "the first make fpga brings it" 2
 ac_types_row
 if [[ $missing -gt 0 ]]; then
     echo "doctor: $missing missing or too old; \`make setup\` gets them all"

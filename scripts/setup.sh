@@ -3,6 +3,7 @@
 #
 # setup.sh packages   installs the Debian packages of tools.txt that doctor.sh finds missing (as root or with sudo)
 # setup.sh python     makes the Python environment build/venv from requirements.txt
+# setup.sh fpga       adds requirements-fpga.txt to build/venv: placement and routing for ECP5, for `make fpga` alone
 # setup.sh ac_types   puts the ac_types headers, releases 4.0 and 4.8, under build/ac_types/
 #
 # Each is idempotent and leaves what is already right alone. PYTHON names the interpreter of the environment.
@@ -59,6 +60,13 @@ setup_python() {
         fail "pip could not install scripts/requirements.txt"
 }
 
+setup_fpga() {
+    local python=build/venv/bin/python
+    echo "setup: tools for ECP5 into build/venv"
+    retry "$python" -m pip install --quiet --disable-pip-version-check --requirement scripts/requirements-fpga.txt ||
+        fail "pip could not install scripts/requirements-fpga.txt"
+}
+
 # The headers travel in a Python package, as templates of its code generators. Both hashes are checked: the package's
 # before anything is taken out of it, the headers' before anything is told that they are there.
 setup_ac_types() {
@@ -97,9 +105,9 @@ EXTRACT
 }
 
 case ${1:-} in
-packages | python | ac_types) "setup_$1" ;;
+packages | python | fpga | ac_types) "setup_$1" ;;
 *)
-    echo "usage: setup.sh packages|python|ac_types" >&2
+    echo "usage: setup.sh packages|python|fpga|ac_types" >&2
     exit 2
     ;;
 esac

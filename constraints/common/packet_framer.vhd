@@ -26,7 +26,7 @@ entity packet_framer is
     rst : in std_ulogic;
 
     byte_valid : in std_ulogic;
-    byte       : in std_ulogic_vector(7 downto 0);
+    octet       : in std_ulogic_vector(7 downto 0);
 
     m_axis_tdata  : out std_ulogic_vector(32 * words_per_beat - 1 downto 0);
     m_axis_tkeep  : out std_ulogic_vector(4 * words_per_beat - 1 downto 0);
@@ -42,7 +42,7 @@ architecture rtl of packet_framer is
 
   subtype length_t is unsigned(header_length_bits - 1 downto 0);
   subtype byte_index_t is natural range 0 to 3;
-  subtype lane_t is natural range 0 to words_per_beat - 1;
+  subtype lane_t is natural range 0 to 3;
 
   signal word       : word_t;
   signal word_valid : std_ulogic   := '0';
@@ -71,7 +71,7 @@ begin
     if rising_edge(clk) then
       word_valid <= '0';
       if byte_valid then
-        word       <= byte & word(word_bits - 1 downto 8);
+        word       <= octet & word(word_bits - 1 downto 8);
         word_valid <= to_std_ulogic(byte_index = 3);
         byte_index <= 0 when byte_index = 3 else byte_index + 1;
       end if;
@@ -99,16 +99,18 @@ begin
         ends := left = 0;
         remaining <= left;
         in_packet <= to_std_ulogic(not ends);
-        lane      <= 0 when ends or lane = lane_t'high else lane + 1;
+        lane      <= 0 when ends or lane = words_per_beat - 1 else lane + 1;
         if overtake then
           lost <= '1';
         else
-          lanes(lane) <= word;
-          for k in keep'range loop
+          for k in lanes'range loop
             keep(k) <= to_std_ulogic(k <= lane);
+            if k = lane then
+              lanes(k) <= word;
+            end if;
           end loop;
           last  <= to_std_ulogic(ends);
-          valid <= to_std_ulogic(ends or lane = lane_t'high);
+          valid <= to_std_ulogic(ends or lane = words_per_beat - 1);
         end if;
       end if;
 

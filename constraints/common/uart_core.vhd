@@ -89,7 +89,7 @@ begin
       rst        => not powered,
       rxd        => rxd,
       byte_valid => received_valid,
-      byte       => received,
+      octet       => received,
       fault      => fault
     );
 
@@ -101,7 +101,7 @@ begin
       clk           => clk,
       rst           => rst,
       byte_valid    => received_valid,
-      byte          => received,
+      octet          => received,
       m_axis_tdata  => setup_tdata,
       m_axis_tkeep  => setup_tkeep,
       m_axis_tlast  => setup_tlast,
@@ -139,7 +139,7 @@ begin
       s_axis_tready => pixel_tready,
       byte_valid    => sent_valid,
       byte_ready    => sent_ready,
-      byte          => sent
+      octet          => sent
     );
 
   transmitter : entity sheen.uart_transmitter
@@ -151,7 +151,7 @@ begin
       rst        => rst,
       byte_valid => sent_valid,
       byte_ready => sent_ready,
-      byte       => sent,
+      octet       => sent,
       txd        => txd
     );
 

@@ -26,7 +26,7 @@ entity uart_receiver is
     rxd : in std_ulogic;
 
     byte_valid : out std_ulogic;                     -- for one clock
-    byte       : out std_ulogic_vector(7 downto 0);
+    octet       : out std_ulogic_vector(7 downto 0);
     fault      : out std_ulogic                      -- for one clock
   );
 end entity uart_receiver;
@@ -49,7 +49,7 @@ begin
     report "uart_receiver: clocks_per_bit is " & integer'image(clocks_per_bit) & ", it must be at least 4"
     severity failure;
 
-  byte <= shift;
+  octet <= shift;
 
   receive : process (clk) is
   begin

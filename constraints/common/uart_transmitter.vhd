@@ -18,7 +18,7 @@ entity uart_transmitter is
 
     byte_valid : in std_ulogic;
     byte_ready : out std_ulogic;
-    byte       : in std_ulogic_vector(7 downto 0);
+    octet       : in std_ulogic_vector(7 downto 0);
 
     txd : out std_ulogic
   );
@@ -46,7 +46,7 @@ begin
         if byte_valid then
           active    <= '1';
           line_out  <= '0';
-          shift     <= '1' & byte;
+          shift     <= '1' & octet;
           bits_left <= frame_bits - 1;
           clock     <= clocks_per_bit - 1;
         end if;

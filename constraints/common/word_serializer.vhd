@@ -22,7 +22,7 @@ entity word_serializer is
 
     byte_valid : out std_ulogic;
     byte_ready : in std_ulogic;
-    byte       : out std_ulogic_vector(7 downto 0)
+    octet       : out std_ulogic_vector(7 downto 0)
   );
 end entity word_serializer;
 
@@ -37,7 +37,7 @@ begin
 
   s_axis_tready <= to_std_ulogic(left = 0);
   byte_valid    <= to_std_ulogic(left /= 0);
-  byte          <= shift(7 downto 0);
+  octet          <= shift(7 downto 0);
 
   serialize : process (clk) is
   begin

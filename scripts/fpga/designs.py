@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""What is built and on what: cores, parts and boards, each once."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+RTL = ROOT / "rtl_vhdl"
+CONSTRAINTS = ROOT / "constraints"
+BUILD = ROOT / "build" / "fpga"
+
+
+@dataclass(frozen=True)
+class Core:
+    """A design that is built out of context; its clock is `clk`, and a clock gives at most one pixel."""
+
+    entity: str
+    about: str
+    generics: dict = field(default_factory=dict)
+    sources: tuple = ()  # besides those of rtl_vhdl/files.txt
+
+
+@dataclass(frozen=True)
+class Part:
+    """An FPGA as nextpnr names it. `target`: the clock, in MHz, that placement and routing strive for."""
+
+    name: str  # the part's name in tables
+    family: str
+    arguments: tuple
+    target: int
+    speed: str = ""  # grade; empty where the part's name says it
+
+
+@dataclass(frozen=True)
+class Board:
+    """A board: constraints/<folder> holds <entity>.vhd and the constraint file."""
+
+    folder: str
+    entity: str
+    constraint_file: str
+    part: Part
+    clock: float  # MHz, as in the constraint file
+
+    @property
+    def constraints(self):
+        """The constraint file."""
+        return CONSTRAINTS / self.folder / self.constraint_file
+
+
+PLAIN = {"has_depth": False}
+CORES = {
+    "gouraud": Core("shading_core", "RGB, first order: flat and gouraud",
+                    {"words_per_beat": 1, "has_depth": False, "has_quadratic": False}),
+    "quadratic": Core("shading_core", "RGB, second order", PLAIN),
+    "quadratic-depth": Core("shading_core", "RGB, second order, and depth: the defaults"),
+    "spherical-pair": Core("spherical_pair", "line_interpolator and bell_rom in a row, paper spherical",
+                           sources=(CONSTRAINTS / "out_of_context" / "spherical_pair.vhd",)),
+}
+
+ECP5 = ("--85k", "--package", "CABGA756")
+PARTS = {
+    "ecp5-85k-6": Part("ecp5-85k", "ecp5", (*ECP5, "--speed", "6"), 300, "6"),
+    "ecp5-85k-8": Part("ecp5-85k", "ecp5", (*ECP5, "--speed", "8"), 400, "8"),
+    "ice40-hx8k": Part("ice40-hx8k", "ice40", ("--hx8k", "--package", "ct256"), 200),
+    "ice40-up5k": Part("ice40-up5k", "ice40", ("--up5k", "--package", "sg48"), 60),
+}
+
+BOARDS = {
+    "ulx3s": Board("ulx3s", "ulx3s_top", "ulx3s.lpf",
+                   Part("ecp5-85k", "ecp5", ("--85k", "--package", "CABGA381", "--speed", "6"), 25, "6"), 25.0),
+    "hx8k_breakout": Board("hx8k_breakout", "hx8k_breakout_top", "hx8k_breakout.pcf",
+                           Part("ice40-hx8k", "ice40", ("--hx8k", "--package", "ct256"), 12), 12.0),
+    "icebreaker": Board("icebreaker", "icebreaker_top", "icebreaker.pcf",
+                        Part("ice40-up5k", "ice40", ("--up5k", "--package", "sg48"), 12), 12.0),
+}
+
+# What every board's top is made of, users after what they use.
+BOARD_SOURCES = ("uart_receiver.vhd", "uart_transmitter.vhd", "packet_framer.vhd", "word_serializer.vhd",
+                 "uart_core.vhd")
+
+
+def rtl_sources():
+    """The files of rtl_vhdl, users after what they use."""
+    return [RTL / name for name in (RTL / "files.txt").read_text(encoding="utf-8").split()]
+
+
+def board_sources(board):
+    """The files of a board's top, users after what they use; they come after rtl_sources()."""
+    common = [CONSTRAINTS / "common" / name for name in BOARD_SOURCES]
+    return [*common, CONSTRAINTS / board.folder / f"{board.entity}.vhd"]
