@@ -22,8 +22,13 @@
 --   slice 0    I(15..0)  + c -> carry register
 --   slice 1                     I(31..16) + carry
 --
+-- Commands are seen a clock before they act: the edge part chooses its addends in the meantime, so that nothing stands
+-- before an adder, and one multiplexer behind it. For that a carry comes in the clock after its step, and the first step
+-- not before the second clock after a load; the edge walker sees to both.
+--
 -- Number format: the channel's, the same for all six words (colour s10.22, depth u16.16; narrower channels take the
--- low `width` bits of each word). Latency: slices clocks from a command to the value.
+-- low `width` bits of each word). Latency: 2 clocks from a command to slice 0, one more for each
+-- further slice.
 -- Source: paper `quadratic`, section 5 and figure 6; the carry step replaces the paper's real steps of X_start.
 -- Model: hls/include/sheen/hls/forward_difference.hpp.
 
@@ -51,7 +56,7 @@ entity forward_difference is
   );
 
   attribute latency : integer;
-  attribute latency of forward_difference : entity is 1;  -- of slice 0; each further slice adds one
+  attribute latency of forward_difference : entity is 2;  -- of slice 0; each further slice adds one
 end entity forward_difference;
 
 architecture rtl of forward_difference is
@@ -59,8 +64,8 @@ architecture rtl of forward_difference is
   constant slice_width : positive := (width + slices - 1) / slices;
 
   type command_vector_t is array (natural range <>) of channel_command_t;
-  signal commands : command_vector_t(0 to slices - 1);
-  signal presents : std_ulogic_vector(0 to slices - 1);
+  signal commands : command_vector_t(0 to slices);     -- of slice k: number k + 1; number k is what comes next
+  signal presents : std_ulogic_vector(0 to slices);
 
   -- Carries into slice k; into slice 0 there is none.
   subtype carries_t is std_ulogic_vector(0 to slices);
@@ -88,7 +93,7 @@ begin
   commands(0)     <= command;
   presents(0)     <= present;
 
-  skew : for k in 1 to slices - 1 generate
+  skew : for k in 1 to slices generate
     commands(k) <= commands(k - 1) when rising_edge(clk);
     presents(k) <= presents(k - 1) when rising_edge(clk);
   end generate skew;
@@ -99,38 +104,41 @@ begin
     constant bits : positive := high - low + 1;
     subtype slice_t is unsigned(bits - 1 downto 0);
 
-    signal c        : channel_command_t;
-    signal edge_i   : slice_t;
-    signal edge_d   : slice_t;
-    signal edge_e   : slice_t;
-    signal edge_h   : slice_t;
-    signal span_i   : slice_t;
-    signal span_d   : slice_t;
-    signal i_sum    : unsigned(bits downto 0);
-    signal i_addend : slice_t;
-    signal next_i   : unsigned(bits downto 0);
-    signal head_i   : slice_t;
+    signal c           : channel_command_t;
+    signal present_now : std_ulogic;
+    signal carry_next  : std_ulogic;  -- the next clock's step is a carry
+    signal edge_i      : slice_t;
+    signal edge_d      : slice_t;
+    signal edge_e      : slice_t;
+    signal edge_h      : slice_t;
+    signal span_i      : slice_t;
+    signal span_d      : slice_t;
+    signal i_addend    : slice_t;     -- D before a carry, else E
+    signal i_sum       : unsigned(bits downto 0);
+    signal next_i      : unsigned(bits downto 0);
+    signal head_i      : slice_t;
 
     type slice_vector_t is array (natural range <>) of slice_t;
     signal word : slice_vector_t(0 to words'length - 1);
   begin
 
-    c <= commands(k);
+    c           <= commands(k + 1);
+    present_now <= presents(k + 1);
+    carry_next  <= commands(k).edge_part.carry;
 
     cut : for n in word'range generate
       word(n) <= unsigned(words(n)(high downto low));
     end generate cut;
 
     -- Edge part: I.
-    i_addend <= edge_d when c.edge_part.carry else edge_e;
-    i_sum    <= add_with_carry(edge_i, i_addend, edge_i_carry(k));
+    i_sum <= add_with_carry(edge_i, i_addend, edge_i_carry(k));
 
     edge_start : process (clk) is
     begin
       if rising_edge(clk) then
         if c.edge_part.load then
           edge_i <= word(0);
-          if not presents(k) then
+          if not present_now then
             edge_i <= (others => '0');
           end if;
         elsif c.edge_part.step then
@@ -172,10 +180,25 @@ begin
       signal head   : std_ulogic_vector(2 * bits - 1 downto 0);
     begin
 
-      d_addend <= edge_h when c.edge_part.carry else edge_dd;
-      e_addend <= edge_dd when c.edge_part.carry else edge_de;
-      d_sum    <= add_with_carry(edge_d, d_addend, edge_d_carry(k));
-      e_sum    <= add_with_carry(edge_e, e_addend, edge_e_carry(k));
+      d_sum <= add_with_carry(edge_d, d_addend, edge_d_carry(k));
+      e_sum <= add_with_carry(edge_e, e_addend, edge_e_carry(k));
+
+      addends : process (clk) is
+      begin
+        if rising_edge(clk) then
+          d_addend <= edge_h when carry_next else edge_dd;
+          e_addend <= edge_dd when carry_next else edge_de;
+          -- A triangle begins with a row, and a carry follows its row at once.
+          if c.edge_part.load then
+            i_addend <= word(2);
+            if not present_now then
+              i_addend <= (others => '0');
+            end if;
+          elsif c.edge_part.step then
+            i_addend <= d_sum(bits - 1 downto 0) when carry_next else e_sum(bits - 1 downto 0);
+          end if;
+        end if;
+      end process addends;
 
       edge_slopes : process (clk) is
       begin
@@ -186,12 +209,12 @@ begin
             edge_h  <= word(3);
             edge_dd <= word(4);
             edge_de <= word(5);
-            if c.edge_part.linear or not presents(k) then
+            if c.edge_part.linear or not present_now then
               edge_h  <= (others => '0');
               edge_dd <= (others => '0');
               edge_de <= (others => '0');
             end if;
-            if not presents(k) then
+            if not present_now then
               edge_d <= (others => '0');
               edge_e <= (others => '0');
             end if;
@@ -241,13 +264,20 @@ begin
       signal memory : memory_t;
     begin
 
+      addend : process (clk) is
+      begin
+        if rising_edge(clk) then
+          i_addend <= edge_d when carry_next else edge_e;
+        end if;
+      end process addend;
+
       edge_slopes : process (clk) is
       begin
         if rising_edge(clk) then
           if c.edge_part.load then
             edge_d <= word(1);
             edge_e <= word(2);
-            if not presents(k) then
+            if not present_now then
               edge_d <= (others => '0');
               edge_e <= (others => '0');
             end if;

@@ -100,6 +100,7 @@ architecture rtl of packet_decoder is
   signal header     : word_t;
   signal held       : word_vector_t(0 to words_per_beat - 1);  -- the header's beat, until the job before is taken
   signal pending    : std_ulogic := '0';
+  signal write_words : word_vector_t(0 to words_per_beat - 1);
   signal registers  : word_vector_t(0 to register_count - 1);
 
   -- What the header says by itself.
@@ -110,7 +111,9 @@ architecture rtl of packet_decoder is
   signal served      : std_ulogic;                    -- triangle: this core has what the flags ask for
   signal expected    : unsigned(6 downto 0);          -- its payload words
   signal final_index : unsigned(beat_index_bits - 1 downto 0);
+  signal final_less_one : unsigned(beat_index_bits - 1 downto 0);
   signal final_keep  : keep_t;
+  signal at_final    : std_ulogic;                    -- the beat offered should be the last; valid at age 3
   signal code        : code_t;                        -- error code, 0 for none; valid at age 3
 
   signal accept       : std_ulogic;
@@ -178,10 +181,10 @@ begin
   begin
     inner := not beat_last and to_std_ulogic(beat_keep = all_present);
     outer := beat_last and to_std_ulogic(beat_keep = final_keep);
-    -- No packet of two beats is sound, so the beat right behind the header need not wait for the verdict.
-    if age = 1 then
+    -- No packet of three beats is sound, so the beats right behind the header need not wait for the verdict.
+    if age /= 3 then
       sound <= inner and not broken;
-    elsif beat_index = final_index then
+    elsif at_final then
       sound <= outer and triangle and not broken;
     else
       sound <= inner and triangle and not broken;
@@ -219,7 +222,9 @@ begin
       end if;
 
       if complete then
-        pending      <= '1';
+        pending <= '1';
+      end if;
+      if payload_beat and beat_last then
         job.message  <= '0';
         job.leftward <= header(flag_leftward_bit);
         job.linear   <= header(flag_linear_bit);
@@ -267,7 +272,9 @@ begin
         expected <= lengths(to_integer(unsigned(header(flag_log_channels_lsb + 1 downto flag_linear_bit))));
       end if;
       -- The header is word 0, so the last word is number `length`.
+      at_final    <= to_std_ulogic(beat_index = final_less_one) when accept else to_std_ulogic(beat_index = final_index);
       final_index <= resize(length / words_per_beat, beat_index_bits);
+      final_less_one <= resize(length / words_per_beat - 1, beat_index_bits);
       for lane in 0 to words_per_beat - 1 loop
         final_keep(lane) <= to_std_ulogic(lane <= to_integer(length mod words_per_beat));
       end loop;
@@ -287,31 +294,46 @@ begin
     end if;
   end process judge;
 
-  storage : for r in 0 to register_count - 1 generate
-    constant quadratic_place : integer := position(r, false);
-    constant linear_place    : integer := position(r, true);
+  -- A payload beat reaches its registers one clock after it was taken, so that their enables are registers, too.
+  write_stage : process (clk) is
   begin
+    if rising_edge(clk) then
+      write_words <= beat_words;
+    end if;
+  end process write_stage;
+
+  storage : for r in 0 to register_count - 1 generate
+    constant quadratic_word : integer := position(r, false) + 1;  -- word number in its packet; 0: not in it
+    constant linear_word    : integer := position(r, true) + 1;
+    constant is_held        : boolean := beat_of(quadratic_word) = 0 and quadratic_word = linear_word;
+
+    signal quadratic_write : std_ulogic := '0';
+    signal linear_write    : std_ulogic := '0';
+  begin
+
+    enable : process (clk) is
+    begin
+      if rising_edge(clk) then
+        if is_held then
+          quadratic_write <= payload_beat and to_std_ulogic(beat_index = 1);
+        elsif quadratic_word = linear_word then
+          quadratic_write <= payload_beat and to_std_ulogic(beat_index = beat_of(quadratic_word));
+        else
+          quadratic_write <= payload_beat and not header(flag_linear_bit)
+                             and to_std_ulogic(quadratic_word > 0 and beat_index = beat_of(quadratic_word));
+          linear_write    <= payload_beat and header(flag_linear_bit)
+                             and to_std_ulogic(linear_word > 0 and beat_index = beat_of(linear_word));
+        end if;
+      end if;
+    end process enable;
 
     store : process (clk) is
     begin
       if rising_edge(clk) then
-        if payload_beat then
-          if quadratic_place = linear_place then
-            if beat_of(quadratic_place + 1) = 0 then
-              if beat_index = 1 then
-                registers(r) <= held(lane_of(quadratic_place + 1));
-              end if;
-            elsif beat_index = beat_of(quadratic_place + 1) then
-              registers(r) <= beat_words(lane_of(quadratic_place + 1));
-            end if;
-          else
-            if quadratic_place >= 0 and header(flag_linear_bit) = '0' and beat_index = beat_of(quadratic_place + 1) then
-              registers(r) <= beat_words(lane_of(quadratic_place + 1));
-            end if;
-            if linear_place >= 0 and header(flag_linear_bit) = '1' and beat_index = beat_of(linear_place + 1) then
-              registers(r) <= beat_words(lane_of(linear_place + 1));
-            end if;
-          end if;
+        if quadratic_write then
+          registers(r) <= held(lane_of(quadratic_word)) when is_held else write_words(lane_of(quadratic_word));
+        elsif linear_write then
+          registers(r) <= write_words(lane_of(linear_word));
         end if;
       end if;
     end process store;

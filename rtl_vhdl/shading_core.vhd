@@ -103,7 +103,7 @@ architecture rtl of shading_core is
   signal depth  : std_ulogic_vector(depth_bits - 1 downto 0) := (others => '0');  -- u16.0
 
   type fragment_vector_t is array (natural range <>) of fragment_t;
-  signal fragments : fragment_vector_t(0 to slices - 1);
+  signal fragments : fragment_vector_t(0 to slices);
 
   -- Pixel queue.
   signal go           : std_ulogic := '0';
@@ -117,7 +117,7 @@ architecture rtl of shading_core is
 
 begin
 
-  assert (slices + 1) * words_per_beat <= channel_base + 2
+  assert slices * words_per_beat <= channel_base + 1
     report "shading_core: slices is " & integer'image(slices) & "; at " & integer'image(words_per_beat)
            & " words a beat the next packet's words would overtake the upper slices"
     severity failure;
@@ -293,7 +293,7 @@ begin
   end generate depth_channel;
 
   -- The fragment meets the upper slices of its channels.
-  align : for k in 1 to slices - 1 generate
+  align : for k in 1 to slices generate
 
     delay : process (clk) is
     begin
@@ -312,7 +312,7 @@ begin
       clk         => clk,
       rst         => rst,
       description => description,
-      fragment    => fragments(slices - 1),
+      fragment    => fragments(slices),
       red         => colour(0),
       green       => colour(1),
       blue        => colour(2),

@@ -91,12 +91,13 @@ begin
       if fetches then
         next_read <= next_read + 1;
       end if;
-      if fetches and not write then
-        room   <= room + 1;
-        stored <= stored - 1;
-      elsif write and not fetches then
-        room   <= room - 1;
-        stored <= stored + 1;
+      -- `fetches` is the last to be known: it only selects.
+      if fetches then
+        room   <= room + 1 when not write else room;
+        stored <= stored - 1 when not write else stored;
+      else
+        room   <= room - 1 when write else room;
+        stored <= stored + 1 when write else stored;
       end if;
       holds_entry <= fetches or (holds_entry and not taken);
       if rst then

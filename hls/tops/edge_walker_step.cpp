@@ -37,52 +37,54 @@ coordinate_t field(const port_t& port, int index) { return port.slc<coordinate_b
 
 bit_t flag(const port_t& port, int index) { return port[static_cast<unsigned>(index)]; }
 
-edge_walker::state_t state_of(const port_t& flags, const port_t& position, const port_t& steps, const port_t& long_edge,
-                              const port_t& end_edge, const port_t& lower_edge) {
+edge_walker::part_t part_of(const port_t& rows, const port_t& end_edge) {
+    return {field(rows, 0), field(rows, 1), field(rows, 2), word(end_edge, 0), word(end_edge, 1)};
+}
+
+edge_walker::state_t state_of(const port_t& flags, const port_t& position, const port_t& long_edge, const port_t& part,
+                              const port_t& end_edge, const port_t& preset, const port_t& preset_edge) {
     edge_walker::state_t s;
-    s.walk = flags.slc<2>(0);
-    s.below = flag(flags, 2);
-    s.none_below = flag(flags, 3);
-    s.last_row = flag(flags, 4);
-    s.long_fresh = flag(flags, 5);
-    s.end_fresh = flag(flags, 6);
-    s.first = flag(flags, 7);
-    s.first_pending = flag(flags, 8);
-    s.leftward = flag(flags, 9);
-    s.long_carry = flag(flags, 10);
-    s.end_carry = flag(flags, 11);
+    s.walk = flags.slc<3>(0);
+    s.in_row = flag(flags, 3);
+    s.free = flag(flags, 4);
+    s.starts_below = flag(flags, 5);
+    s.last_part = flag(flags, 6);
+    s.middle_row = flag(flags, 7);
+    s.final_row = flag(flags, 8);
+    s.long_fresh = flag(flags, 9);
+    s.end_fresh = flag(flags, 10);
+    s.first = flag(flags, 11);
+    s.first_pending = flag(flags, 12);
+    s.leftward = flag(flags, 13);
+    s.long_carry = flag(flags, 14);
+    s.end_carry = flag(flags, 15);
     s.x = field(position, 0);
     s.y = field(position, 1);
     s.x_step = field(position, 2);
-    s.rows = field(position, 3);
-    s.length = field(position, 4);
-    s.m = field(steps, 0);
-    s.m_less_one = field(steps, 1);
-    s.rows_below = field(steps, 2);
-    s.length_reload = field(steps, 3);
-    s.m_below = field(steps, 4);
+    s.growth = field(position, 3);
+    s.part = part_of(part, end_edge);
+    s.preset = part_of(preset, preset_edge);
     s.long_phase = word(long_edge, 0);
     s.long_step = word(long_edge, 1);
-    s.end_phase = word(end_edge, 0);
-    s.end_step = word(end_edge, 1);
-    s.lower_phase = word(lower_edge, 0);
-    s.lower_step = word(lower_edge, 1);
     return s;
 }
 
 port_t flags_of(const edge_walker::state_t& s) {
     port_t flags = 0;
     flags.set_slc(0, s.walk);
-    flags.set_slc(2, s.below);
-    flags.set_slc(3, s.none_below);
-    flags.set_slc(4, s.last_row);
-    flags.set_slc(5, s.long_fresh);
-    flags.set_slc(6, s.end_fresh);
-    flags.set_slc(7, s.first);
-    flags.set_slc(8, s.first_pending);
-    flags.set_slc(9, s.leftward);
-    flags.set_slc(10, s.long_carry);
-    flags.set_slc(11, s.end_carry);
+    flags.set_slc(3, s.in_row);
+    flags.set_slc(4, s.free);
+    flags.set_slc(5, s.starts_below);
+    flags.set_slc(6, s.last_part);
+    flags.set_slc(7, s.middle_row);
+    flags.set_slc(8, s.final_row);
+    flags.set_slc(9, s.long_fresh);
+    flags.set_slc(10, s.end_fresh);
+    flags.set_slc(11, s.first);
+    flags.set_slc(12, s.first_pending);
+    flags.set_slc(13, s.leftward);
+    flags.set_slc(14, s.long_carry);
+    flags.set_slc(15, s.end_carry);
     return flags;
 }
 
@@ -128,16 +130,16 @@ port_t outputs_of(const edge_walker::state_t& s) {
 
 }  // namespace
 
-/// flags … lower_edge: the state; job_flags: valid, message, leftward, linear, depth, code; job_*: geometry.
-extern "C" void edge_walker_step(std::uint64_t flags, std::uint64_t position, std::uint64_t steps,
-                                 std::uint64_t long_edge, std::uint64_t end_edge, std::uint64_t lower_edge,
-                                 std::uint8_t job_flags, std::uint32_t job_header, std::uint64_t job_start,
-                                 std::uint64_t job_rest, std::uint64_t job_long, std::uint64_t job_upper,
-                                 std::uint64_t job_lower, bool room, bool first_taken, std::uint64_t* next_flags,
-                                 std::uint64_t* next_position, std::uint64_t* next_steps, std::uint64_t* next_long_edge,
-                                 std::uint64_t* next_end_edge, std::uint64_t* next_lower_edge, std::uint64_t* outputs,
-                                 bool* job_taken) {
-    const edge_walker::state_t state = state_of(flags, position, steps, long_edge, end_edge, lower_edge);
+/// flags … preset_edge: the state; job_flags: valid, message, leftward, linear, depth, code; job_*: geometry.
+extern "C" void edge_walker_step(std::uint64_t flags, std::uint64_t position, std::uint64_t long_edge,
+                                 std::uint64_t part, std::uint64_t end_edge, std::uint64_t preset,
+                                 std::uint64_t preset_edge, std::uint8_t job_flags, std::uint32_t job_header,
+                                 std::uint64_t job_start, std::uint64_t job_rest, std::uint64_t job_long,
+                                 std::uint64_t job_upper, std::uint64_t job_lower, bool room, bool first_taken,
+                                 std::uint64_t* next_flags, std::uint64_t* next_position, std::uint64_t* next_long_edge,
+                                 std::uint64_t* next_part, std::uint64_t* next_end_edge, std::uint64_t* next_preset,
+                                 std::uint64_t* next_preset_edge, std::uint64_t* outputs, bool* job_taken) {
+    const edge_walker::state_t state = state_of(flags, position, long_edge, part, end_edge, preset, preset_edge);
     job_t job;
     const port_t bits = job_flags;
     job.valid = flag(bits, 0);
@@ -151,11 +153,13 @@ extern "C" void edge_walker_step(std::uint64_t flags, std::uint64_t position, st
 
     *job_taken = edge_walker::taken(state, job, room) != 0;
     const edge_walker::state_t next = edge_walker::step(state, job, geometry, room, first_taken);
+    const coordinate_t none = 0;
     *next_flags = flags_of(next).to_uint64();
-    *next_position = fields(next.x, next.y, next.x_step, next.rows, next.length).to_uint64();
-    *next_steps = fields(next.m, next.m_less_one, next.rows_below, next.length_reload, next.m_below).to_uint64();
+    *next_position = fields(next.x, next.y, next.x_step, next.growth, none).to_uint64();
     *next_long_edge = pair(next.long_phase, next.long_step).to_uint64();
-    *next_end_edge = pair(next.end_phase, next.end_step).to_uint64();
-    *next_lower_edge = pair(next.lower_phase, next.lower_step).to_uint64();
+    *next_part = fields(next.part.rows, next.part.length, next.part.m, none, none).to_uint64();
+    *next_end_edge = pair(next.part.end_phase, next.part.end_step).to_uint64();
+    *next_preset = fields(next.preset.rows, next.preset.length, next.preset.m, none, none).to_uint64();
+    *next_preset_edge = pair(next.preset.end_phase, next.preset.end_step).to_uint64();
     *outputs = outputs_of(next).to_uint64();
 }

@@ -15,7 +15,8 @@ using port_t = ac_int<64, false>;
 
 bit_t flag(const port_t& port, unsigned index) { return port[index]; }
 
-/// Control: phase, beat_index, broken, verdict, and the job's fields but its header.
+/// Control: phase, beat_index, broken, verdict, the job's fields but its header, and when the held-back write goes
+/// where.
 void take_control(decoder::state_t& s, const port_t& control) {
     s.phase = control.slc<2>(0);
     s.beat_index = control.slc<6>(2);
@@ -35,6 +36,9 @@ void take_control(decoder::state_t& s, const port_t& control) {
     s.job.linear = flag(control, 44);
     s.job.depth = flag(control, 45);
     s.job.code = control.slc<2>(46);
+    s.verdict.at_final = flag(control, 48);
+    s.write.valid = flag(control, 49);
+    s.write_index = control.slc<6>(50);
 }
 
 port_t control_of(const decoder::state_t& s) {
@@ -57,6 +61,9 @@ port_t control_of(const decoder::state_t& s) {
     control.set_slc(44, s.job.linear);
     control.set_slc(45, s.job.depth);
     control.set_slc(46, s.job.code);
+    control.set_slc(48, s.verdict.at_final);
+    control.set_slc(49, s.write.valid);
+    control.set_slc(50, s.write_index);
     return control;
 }
 
@@ -74,22 +81,27 @@ std::uint64_t pair_of(const word_t& low, const word_t& high) {
 
 }  // namespace
 
-/// control, headers (of the packet under way, of the message), held and words_*: the state; flags: valid, last, keep.
-extern "C" void packet_decoder_step(
-    std::uint64_t control, std::uint64_t headers, std::uint64_t held, std::uint64_t words_0_1, std::uint64_t words_2_3,
-    std::uint64_t words_4_5, std::uint64_t words_6_7, std::uint64_t words_8_9, std::uint64_t words_10_11,
-    std::uint64_t words_12_13, std::uint64_t words_14_15, std::uint64_t words_16_17, std::uint32_t words_18,
-    std::uint8_t beat_flags, std::uint64_t beat_words, bool job_taken, std::uint64_t* next_control,
-    std::uint64_t* next_headers, std::uint64_t* next_held, std::uint64_t* next_words_0_1, std::uint64_t* next_words_2_3,
-    std::uint64_t* next_words_4_5, std::uint64_t* next_words_6_7, std::uint64_t* next_words_8_9,
-    std::uint64_t* next_words_10_11, std::uint64_t* next_words_12_13, std::uint64_t* next_words_14_15,
-    std::uint64_t* next_words_16_17, std::uint32_t* next_words_18, bool* beat_ready) {
+/// control, headers (of the packet under way, of the message), held, write and words_*: the state; flags: valid, last,
+/// keep.
+extern "C" void packet_decoder_step(std::uint64_t control, std::uint64_t headers, std::uint64_t held,
+                                    std::uint64_t write, std::uint64_t words_0_1, std::uint64_t words_2_3,
+                                    std::uint64_t words_4_5, std::uint64_t words_6_7, std::uint64_t words_8_9,
+                                    std::uint64_t words_10_11, std::uint64_t words_12_13, std::uint64_t words_14_15,
+                                    std::uint64_t words_16_17, std::uint32_t words_18, std::uint8_t beat_flags,
+                                    std::uint64_t beat_words, bool job_taken, std::uint64_t* next_control,
+                                    std::uint64_t* next_headers, std::uint64_t* next_held, std::uint64_t* next_write,
+                                    std::uint64_t* next_words_0_1, std::uint64_t* next_words_2_3,
+                                    std::uint64_t* next_words_4_5, std::uint64_t* next_words_6_7,
+                                    std::uint64_t* next_words_8_9, std::uint64_t* next_words_10_11,
+                                    std::uint64_t* next_words_12_13, std::uint64_t* next_words_14_15,
+                                    std::uint64_t* next_words_16_17, std::uint32_t* next_words_18, bool* beat_ready) {
     static_assert(decoder::register_count == 19, "one port for each pair of registers");
     decoder::state_t state;
     take_control(state, control);
     state.header = port_t(headers).slc<word_bits>(0);
     state.job.header = port_t(headers).slc<word_bits>(word_bits);
     take_pair(state.held, held);
+    take_pair(state.write.words, write);
     take_pair(state.words, words_0_1);
     take_pair(state.words + 2, words_2_3);
     take_pair(state.words + 4, words_4_5);
@@ -112,6 +124,7 @@ extern "C" void packet_decoder_step(
     *next_control = control_of(next).to_uint64();
     *next_headers = pair_of(next.header, next.job.header);
     *next_held = pair_of(next.held[0], next.held[1]);
+    *next_write = pair_of(next.write.words[0], next.write.words[1]);
     *next_words_0_1 = pair_of(next.words[0], next.words[1]);
     *next_words_2_3 = pair_of(next.words[2], next.words[3]);
     *next_words_4_5 = pair_of(next.words[4], next.words[5]);

@@ -57,6 +57,7 @@ struct packet_decoder {
         length_t expected = 0;
         ac_int<beat_index_bits, false> final_index = 0;  ///< the last beat's
         keep_t final_keep = 0;
+        bit_t at_final = 0;         ///< the beat offered should be the last; valid at age 3
         ac_int<2, false> code = 0;  ///< error code, 0 for none; valid at age 3
     };
 
@@ -68,6 +69,8 @@ struct packet_decoder {
         word_t held[words_per_beat];  ///< the header's beat: its payload words wait until the job before is taken
         verdict_t verdict;
         job_t job;
+        beat_t write;  ///< the payload beat that `words` takes in in this clock
+        ac_int<beat_index_bits, false> write_index = 0;
         word_t words[register_count];
 
         /// An ac_int that nothing has set may hold bits above its width, which select() would keep for ever.
@@ -96,12 +99,11 @@ struct packet_decoder {
         const bit_t full = bit_t(beat.keep == (1 << words_per_beat) - 1);
         const bit_t alone = beat.last & bit_t(beat.keep == 1) & bit_t(opcode(beat.words[0]) != opcode_triangle);
         const bit_t inner = ~beat.last & full;
-        const bit_t at_final = bit_t(state.beat_index == state.verdict.final_index);
         const bit_t outer = beat.last & bit_t(beat.keep == state.verdict.final_keep);
-        // No packet of two beats is sound, so the beat right behind the header need not wait for the verdict.
-        const bit_t early = bit_t(state.verdict.age == 1);
-        const bit_t sound =
-            ~state.broken & select(early, inner, bit_t(state.verdict.triangle & select(at_final, outer, inner)));
+        // No packet of three beats is sound, so the beats right behind the header need not wait for the verdict.
+        const bit_t framed =
+            select(judged, bit_t(state.verdict.triangle & select(state.verdict.at_final, outer, inner)), inner);
+        const bit_t sound = ~state.broken & framed;
         const bit_t complete = payload_beat & beat.last & sound & judged & bit_t(state.verdict.code == 0);
         next.broken = select(header_beat, bit_t(~(alone | inner)), select(payload_beat, bit_t(~sound), state.broken));
 
@@ -112,21 +114,25 @@ struct packet_decoder {
         next.header = select(header_beat, beat.words[0], state.header);
         next.beat_index = select(header_beat, ac_int<beat_index_bits, false>(1),
                                  ac_int<beat_index_bits, false>(state.beat_index + payload_beat));
-        next.verdict = judge(state, header_beat);
+        next.verdict = judge(state, header_beat, accept);
 
+        const bit_t ends = payload_beat & beat.last;
         next.job.valid = (state.job.valid & ~taken) | complete | emit;
-        next.job.message = select(emit, bit_t(1), select(complete, bit_t(0), state.job.message));
+        next.job.message = select(emit, bit_t(1), select(ends, bit_t(0), state.job.message));
         const ac_int<2, false> framing_code =
             select(state.broken, ac_int<2, false>(error_bad_length), ac_int<2, false>(0));
         next.job.code =
             select(emit, select(bit_t(state.verdict.code == 0), framing_code, state.verdict.code), state.job.code);
         next.job.header = select(emit, state.header, state.job.header);
-        next.job.leftward = select(complete, bit_t(state.header[flag_leftward_bit]), state.job.leftward);
-        next.job.linear = select(complete, bit_t(state.header[flag_linear_bit]), state.job.linear);
-        next.job.depth = select(complete, bit_t(state.header[flag_depth_bit]), state.job.depth);
+        next.job.leftward = select(ends, bit_t(state.header[flag_leftward_bit]), state.job.leftward);
+        next.job.linear = select(ends, bit_t(state.header[flag_linear_bit]), state.job.linear);
+        next.job.depth = select(ends, bit_t(state.header[flag_depth_bit]), state.job.depth);
 
         hold(next, beat, header_beat, std::make_index_sequence<words_per_beat>{});
-        store(next, state, beat, payload_beat, std::make_index_sequence<register_count>{});
+        next.write = beat;
+        next.write.valid = payload_beat;
+        next.write_index = state.beat_index;
+        store(next, state, std::make_index_sequence<register_count>{});
         return next;
     }
 
@@ -160,7 +166,7 @@ struct packet_decoder {
     static ac_int<8, false> opcode(const word_t& header) { return header.template slc<8>(header_opcode_lsb); }
 
     /// The verdict on state.header: the first clock looks at opcode and flags, the second compares lengths.
-    static verdict_t judge(const state_t& state, bit_t header_beat) {
+    static verdict_t judge(const state_t& state, bit_t header_beat, bit_t accept) {
         using code_t = ac_int<2, false>;
         const word_t header = state.header;
         const verdict_t& v = state.verdict;
@@ -189,6 +195,8 @@ struct packet_decoder {
                                none);
         // The header is word 0, so the last word is number `length`.
         next.final_index = length >> beat_shift;
+        const ac_int<beat_index_bits, false> beat_index_next = state.beat_index + accept;
+        next.at_final = bit_t(beat_index_next == v.final_index);
         next.final_keep = keep_t((ac_int<5, false>(2) << ac_int<2, false>(length & (words_per_beat - 1))) - 1);
 
         const code_t refused = select(v.served | v.answered, code_t(0), code_t(error_unsupported));
@@ -213,24 +221,22 @@ struct packet_decoder {
 
     /// One register's next value: the word at its place when that beat passes, else what it was.
     template <int index, bool linear>
-    static word_t stored(const word_t& old, const state_t& state, const beat_t& beat, bit_t payload_beat) {
+    static word_t stored(const word_t& old, const state_t& state) {
         constexpr int p = position(index, linear);
         if constexpr (p < 0) {
             return old;
         } else if constexpr (beat_of(p) == 0) {
-            return select(payload_beat & bit_t(state.beat_index == 1), state.held[lane_of(p)], old);
+            return select(state.write.valid & bit_t(state.write_index == 1), state.held[lane_of(p)], old);
         } else {
-            const bit_t hit = payload_beat & bit_t(state.beat_index == beat_of(p)) &
+            const bit_t hit = state.write.valid & bit_t(state.write_index == beat_of(p)) &
                               bit_t(bit_t(state.header[flag_linear_bit]) == bit_t(linear));
-            return select(hit, beat.words[lane_of(p)], old);
+            return select(hit, state.write.words[lane_of(p)], old);
         }
     }
 
     template <std::size_t... index>
-    static void store(state_t& next, const state_t& state, const beat_t& beat, bit_t payload_beat,
-                      std::index_sequence<index...>) {
-        ((next.words[index] = stored<int(index), true>(
-              stored<int(index), false>(state.words[index], state, beat, payload_beat), state, beat, payload_beat)),
+    static void store(state_t& next, const state_t& state, std::index_sequence<index...>) {
+        ((next.words[index] = stored<int(index), true>(stored<int(index), false>(state.words[index], state), state)),
          ...);
     }
 

@@ -50,7 +50,8 @@ struct span_t {
     bit_t message = 0;
 };
 
-/// Commands of the edge walker to the start-edge part of every forward difference.
+/// Commands of the edge walker to the start-edge part of every forward difference. A carry comes in the clock after its
+/// step, the first step not before the second clock after a load.
 struct edge_command_t {
     bit_t load = 0;    ///< take over the six words
     bit_t linear = 0;  ///< with load: h, dD, dE are 0
