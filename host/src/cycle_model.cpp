@@ -27,6 +27,9 @@ constexpr std::size_t late_pushes = 2;       // at most so many spans are not co
 constexpr std::size_t pixels_under_way = 5;  // between the span walker and the count of the pixel queue
 constexpr Clock queue_to_fetch = 1;          // stream_fifo: from write to fetch, and from fetch to valid
 constexpr Clock header_to_verdict = 3;       // packet_decoder: a message waits for it
+constexpr Clock first_span_to_load = 2;      // edge_walker: the first span is under way before the next load
+constexpr Clock load_to_row = 2;             // edge_walker: state prime
+constexpr Clock part_without_rows = 2;       // edge_walker: states skip and prime
 constexpr Clock room_to_row = 1;             // edge_walker: a row waits for the room of the clock before
 constexpr Clock row_to_queue = 1;            // edge_walker: latency
 constexpr Clock pixel_to_output = 7;         // span walker to valid on m_axis
@@ -169,9 +172,9 @@ class Core {
     }
 
     void walk(const TriangleWalk& triangle, Clock ready) {
-        job_taken_ = std::max({ready, walker_idle_, first_span_taken_ + 1});
-        Clock clock = job_taken_ + 2;  // state prime
-        if (triangle.rows_above == 0) ++clock;
+        job_taken_ = std::max({ready, walker_idle_, first_span_taken_ + first_span_to_load});
+        Clock clock = job_taken_ + load_to_row;
+        if (triangle.rows_above == 0) clock += part_without_rows;
         bool first = true;
         int carries = 0;
         for_each_row(triangle, [&](const WalkRow& row) {
