@@ -34,7 +34,7 @@ entity edge_walker is
     rst : in std_ulogic;
 
     job       : in job_t;
-    geometry  : in geometry_t;
+    geometry  : in geometry_t;  -- stable from the clock before job.valid until the job is taken
     job_taken : out std_ulogic;
 
     room        : in std_ulogic;  -- the span queue takes a span

@@ -169,6 +169,7 @@ begin
       signal edge_de  : slice_t;
       signal span_h   : slice_t;
       signal head_d   : slice_t;
+      signal loaded   : std_ulogic := '0';
       signal d_addend : slice_t;
       signal e_addend : slice_t;
       signal d_sum    : unsigned(bits downto 0);
@@ -183,18 +184,17 @@ begin
       d_sum <= add_with_carry(edge_d, d_addend, edge_d_carry(k));
       e_sum <= add_with_carry(edge_e, e_addend, edge_e_carry(k));
 
+      -- In the clock after a load E + 0 goes to I's addend, so that no word needs a way to it.
       addends : process (clk) is
       begin
         if rising_edge(clk) then
+          loaded   <= c.edge_part.load;
           d_addend <= edge_h when carry_next else edge_dd;
           e_addend <= edge_dd when carry_next else edge_de;
-          -- A triangle begins with a row, and a carry follows its row at once.
           if c.edge_part.load then
-            i_addend <= word(2);
-            if not present_now then
-              i_addend <= (others => '0');
-            end if;
-          elsif c.edge_part.step then
+            e_addend <= (others => '0');
+          end if;
+          if c.edge_part.step or loaded then
             i_addend <= d_sum(bits - 1 downto 0) when carry_next else e_sum(bits - 1 downto 0);
           end if;
         end if;
@@ -209,6 +209,8 @@ begin
             edge_h  <= word(3);
             edge_dd <= word(4);
             edge_de <= word(5);
+
+            edge_e_carry(k + 1) <= '0';
             if c.edge_part.linear or not present_now then
               edge_h  <= (others => '0');
               edge_dd <= (others => '0');

@@ -69,8 +69,9 @@ class Bench {
         return taken;
     }
 
-    /// Offers the job until it is taken.
+    /// Offers the job until it is taken. As the decoder does, it has the geometry ready a clock before.
     void take(const hls::job_t& job, const hls::geometry_t& geometry) {
+        clock({}, geometry);
         while (!clock(job, geometry)) {
         }
     }
@@ -159,10 +160,13 @@ TEST_F(EdgeWalker, TakesOneClockARowOneACarryAndOneAPart) {
             if (row.row == walk.rows_above && row.row > 0) carry_at_middle = row.carries > carries;
             carries = row.carries;
         });
+        const bool has_rows = walk.rows_above + walk.rows_below > 0;
+        const int skip = walk.rows_above == 0 && has_rows ? 1 : 0;
         const int middle = walk.rows_below > 0 && !carry_at_middle ? 1 : 0;
+        const int rows = walk.rows_above + walk.rows_below;
         Bench bench(rng_, {});
         bench.take(triangle_job(walk), geometry_of(walk));
-        ASSERT_EQ(bench.finish(), 1 + walk.rows_above + walk.rows_below + carries + middle) << "walk " << i;
+        ASSERT_EQ(bench.finish(), (has_rows ? 1 : 0) + rows + carries + middle + skip) << "walk " << i;
     }
 }
 

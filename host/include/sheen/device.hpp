@@ -16,21 +16,22 @@ struct Capabilities {
     int protocol_version = 0;
     int log_channels = 0;
     bool depth = false;
-    bool quadratic = false;      ///< false: linear colour only
-    int colour_bits = 0;         ///< W of the colour channels; 10 of them integer
+    bool quadratic = false;  ///< false: linear colour only
+    int colour_bits = 0;     ///< W of the colour channels; 10 of them integer
     int colour_fraction_bits = 0;
-    int depth_bits = 0;          ///< W of the depth channel; 16 of them integer; 0 without depth
+    int depth_bits = 0;  ///< W of the depth channel; 16 of them integer; 0 without depth
     int phase_bits = 0;
-    int max_extent = 0;          ///< greatest width and height of a triangle, in pixels
+    int max_extent = 0;  ///< greatest width and height of a triangle, in pixels
 };
 
 struct RunResult {
-    std::vector<std::uint64_t> words;     ///< pixels and messages, in the device's order
-    std::optional<std::uint64_t> cycles;  ///< clock cycles from the first input beat to the last output beat; simulators only
+    std::vector<std::uint64_t> words;  ///< pixels and messages, in the device's order
+    std::optional<std::uint64_t>
+        cycles;  ///< clock cycles from the first input beat to the last output beat; simulators only
 };
 
 class Device {
-   public:
+ public:
     virtual ~Device() = default;
     [[nodiscard]] virtual std::string name() const = 0;
     /// Streams `packets` in and collects every word that comes back. Any words are valid input: malformed packets are

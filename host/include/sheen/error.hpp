@@ -10,13 +10,13 @@ namespace sheen {
 
 /// A failure caused by a file's content or by the system (exit status 1 of the command).
 class Error : public std::runtime_error {
-   public:
+ public:
     using std::runtime_error::runtime_error;
 };
 
 /// A malformed request: an unknown word or a value out of range (exit status 2 of the command).
 class UsageError : public Error {
-   public:
+ public:
     using Error::Error;
 };
 

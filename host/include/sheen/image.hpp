@@ -24,7 +24,7 @@ struct Image {
 
 /// Collects pixels with a depth test: 0 is nearest, the first pixel wins ties.
 class Framebuffer {
-   public:
+ public:
     Framebuffer(int width, int height);
     /// \throws Error when the pixel lies outside the image.
     void write(const Pixel& pixel);
@@ -32,7 +32,7 @@ class Framebuffer {
     /// True where a pixel was written.
     [[nodiscard]] const std::vector<bool>& covered() const { return covered_; }
 
-   private:
+ private:
     Image image_;
     std::vector<std::uint16_t> depth_;
     std::vector<bool> covered_;
@@ -44,7 +44,8 @@ Image to_srgb(const Image& image);
 /// Writes a PNG whole or not at all; "-" is standard output. \throws Error naming the file.
 void write_png(const std::string& path, const Image& image);
 
-/// Writes `size` bytes to `path` whole or not at all (temporary name beside it, then rename); "-" is standard output. \throws Error naming the file.
+/// Writes `size` bytes to `path` whole or not at all (temporary name beside it, then rename); "-" is standard output.
+/// \throws Error naming the file.
 void write_file_atomically(const std::string& path, const void* data, std::size_t size);
 
 }  // namespace sheen

@@ -8,7 +8,8 @@
 
 namespace sheen {
 
-/// A directional light in eye space; `direction` points towards the light and has length 1; colour is linear, 1 = white.
+/// A directional light in eye space; `direction` points towards the light and has length 1; colour is linear, 1 =
+/// white.
 struct DirectionalLight {
     glm::dvec3 direction{-0.4, 0.5, 0.77};
     glm::dvec3 colour{1.0};

@@ -59,6 +59,7 @@ struct edge_walker {
         return job.valid & select(job.message, bit_t(bit_t(state.walk == idle) & room), state.free);
     }
 
+    /// \param geometry stable from the clock before job.valid until the job is taken
     /// \param first_taken the span walker starts a triangle's first span in this clock
     static state_t step(const state_t& state, const job_t& job, const geometry_t& geometry, bit_t room,
                         bit_t first_taken) {
