@@ -147,7 +147,7 @@ fpga: $(SETUP) build/setup/fpga
 	    --jobs "$(JOBS)"
 
 test-area: $(SETUP)
-	@$(VENV)/python scripts/fpga/test_area.py --update "$(UPDATE)"
+	@$(VENV)/python scripts/fpga/test_area.py --update "$(UPDATE)" --jobs $(JOBS)
 
 .PHONY: demo
 demo: $(SETUP)

@@ -47,12 +47,21 @@ class Board:
         return CONSTRAINTS / self.folder / self.constraint_file
 
 
-PLAIN = {"has_depth": False}
+def shading_core(wanted):
+    """A configuration of the core by its name in the list that `make ip` builds from."""
+    for line in (ROOT / "scripts" / "ip" / "cores.txt").read_text(encoding="utf-8").splitlines():
+        name, *fields = (field.strip() for field in line.split("|"))
+        if name == wanted:
+            words, depth, quadratic, about = fields
+            return Core("shading_core", about, {"words_per_beat": int(words), "has_depth": depth == "true",
+                                                "has_quadratic": quadratic == "true"})
+    raise KeyError(f"scripts/ip/cores.txt has no core {wanted}")
+
+
 CORES = {
-    "gouraud": Core("shading_core", "RGB, first order: flat and gouraud",
-                    {"words_per_beat": 1, "has_depth": False, "has_quadratic": False}),
-    "quadratic": Core("shading_core", "RGB, second order", PLAIN),
-    "quadratic-depth": Core("shading_core", "RGB, second order, and depth: the defaults"),
+    "gouraud": shading_core("gouraud"),
+    "quadratic": shading_core("quadratic"),
+    "quadratic-depth": shading_core("quadratic-depth"),
     "spherical-pair": Core("spherical_pair", "line_interpolator and bell_rom in a row, paper spherical",
                            sources=(CONSTRAINTS / "out_of_context" / "spherical_pair.vhd",)),
 }
@@ -74,17 +83,16 @@ BOARDS = {
                         Part("ice40-up5k", "ice40", ("--up5k", "--package", "sg48"), 12), 12.0),
 }
 
-# What every board's top is made of, users after what they use.
-BOARD_SOURCES = ("uart_receiver.vhd", "uart_transmitter.vhd", "packet_framer.vhd", "word_serializer.vhd",
-                 "uart_core.vhd")
+def listed(folder):
+    """The files of a folder's files.txt, users after what they use."""
+    return [folder / name for name in (folder / "files.txt").read_text(encoding="utf-8").split()]
 
 
 def rtl_sources():
-    """The files of rtl_vhdl, users after what they use."""
-    return [RTL / name for name in (RTL / "files.txt").read_text(encoding="utf-8").split()]
+    """The files of rtl_vhdl."""
+    return listed(RTL)
 
 
 def board_sources(board):
-    """The files of a board's top, users after what they use; they come after rtl_sources()."""
-    common = [CONSTRAINTS / "common" / name for name in BOARD_SOURCES]
-    return [*common, CONSTRAINTS / board.folder / f"{board.entity}.vhd"]
+    """The files of a board's top, which come after rtl_sources()."""
+    return [path for path in listed(CONSTRAINTS) if path.parent.name in ("common", board.folder)]

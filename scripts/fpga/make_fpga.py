@@ -101,8 +101,8 @@ def build_board(name, seeds):
     path = critical_path(placed.report, netlist).words()
     cells = ", ".join(f"{value:,} {key.upper()}" for key, value in area(placed, board.part, {}).items())
     if placed.fmax < board.clock:
-        raise tools.FpgaError(f"{name} misses its clock of {board.clock:g} MHz with {seeds} seeds; the last one reaches "
-                              f"{placed.fmax:.1f} MHz, from {path}")
+        raise tools.FpgaError(f"{name} misses its clock of {board.clock:g} MHz with {seeds} seeds; the last one "
+                              f"reaches {placed.fmax:.1f} MHz, from {path}")
     bitstream = folder / f"{name}.bin"
     write_bitstream(placed, board.part, bitstream)
     print(f"{name}: {cells}; {placed.fmax:.1f} MHz, needs {board.clock:g} (seed {placed.seed})\n"

@@ -20,7 +20,7 @@ ICE40_CELLS = re.compile(r"Info:\s+(\d+) LCs used as (LUT4 only|LUT4 and DFF|DFF
 
 @dataclass(frozen=True)
 class Placed:
-    """One run of nextpnr: `report` is its own report, `log` what it said, `text` the design as ecppack and icepack take it."""
+    """One run of nextpnr: its own report, what it said, the design as ecppack and icepack take it."""
 
     seed: int
     report: dict
@@ -42,7 +42,8 @@ def place_and_route(netlist, part, seed, folder, constraints=None):
     arguments = [*part.arguments, "--seed", seed, "--freq", part.target, "--timing-allow-fail"]
     arguments += [CONSTRAINED[part.family], constraints] if constraints else [UNCONSTRAINED[part.family]]
     stamp = folder / f"seed-{seed}.digest"
-    wanted = digest(tools.version(NEXTPNR[part.family]), netlist.path, arguments, *([constraints] if constraints else []))
+    constrained = [constraints] if constraints else []
+    wanted = digest(tools.version(NEXTPNR[part.family]), netlist.path, arguments, *constrained)
     if not (fresh(stamp, wanted) and report.exists() and text.exists()):
         tools.run(NEXTPNR[part.family], *arguments, "--json", netlist.path, TEXT[part.family], text, "--report", report,
                   log=log)
@@ -67,9 +68,11 @@ def area(placed, part, around):
     """
     used = {name: count["used"] for name, count in placed.report["utilization"].items()}
     if part.family == "ecp5":
-        return {"lut": used["TRELLIS_COMB"] - around.get("LUT4", 0), "ff": used["TRELLIS_FF"] - around.get("TRELLIS_FF", 0),
+        return {"lut": used["TRELLIS_COMB"] - around.get("LUT4", 0),
+                "ff": used["TRELLIS_FF"] - around.get("TRELLIS_FF", 0),
                 "bram": used["DP16KD"], "dsp": used["MULT18X18D"]}
-    holds = {what: int(count) for count, what in ICE40_CELLS.findall(placed.log.read_text(encoding="utf-8", errors="replace"))}
+    log = placed.log.read_text(encoding="utf-8", errors="replace")
+    holds = {what: int(count) for count, what in ICE40_CELLS.findall(log)}
     flip_flops = sum(count for name, count in around.items() if name.startswith("SB_DFF"))
     return {"lut": holds["LUT4 only"] + holds["LUT4 and DFF"] + holds.get("CARRY only", 0) - around.get("SB_LUT4", 0),
             "ff": holds["LUT4 and DFF"] + holds["DFF only"] - flip_flops,

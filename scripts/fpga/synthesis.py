@@ -77,9 +77,13 @@ def counts(stat_file):
 
 
 def script(folder, family, verilog, top, wrapped):
-    """The yosys commands that map `top`, and, apart from it, the harness around it."""
+    """The yosys commands that map `top`, and, apart from it, the harness around it.
+
+    No queue reads a place in the clock in which it writes it (stream_fifo fetches what it stored, and writes where
+    there is room), so memories need no logic for that case: -no-rw-check.
+    """
     yield f"read_verilog -sv {verilog}"
-    yield f"{SYNTH[family]} -top {top}"
+    yield f"{SYNTH[family]} -no-rw-check -top {top}"
     yield f"tee -q -o {folder}/cells.json stat -json"
     if wrapped:
         yield "design -stash mapped"
@@ -95,7 +99,7 @@ def script(folder, family, verilog, top, wrapped):
 
 
 def to_netlist(folder, family, verilog, top, wrapped):
-    """Map a design to a family's cells; `wrapped`: with the harness around it, mapped apart so that it can be counted."""
+    """Map a design to a family's cells; `wrapped`: with the harness around it, which is mapped apart."""
     folder.mkdir(parents=True, exist_ok=True)
     if wrapped:
         text = harness.harness(top, harness.ports(verilog.read_text(encoding="utf-8"), top))

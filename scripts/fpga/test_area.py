@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Area as a test: every unit and core, mapped to ECP5 and iCE40, against what tests/area/area.json records.
 
-    test_area.py [--update 1] [--record FILE]
+    test_area.py [--update 1] [--record FILE] [--jobs N]
 
 Maps with yosys alone, so the numbers are cells of the netlist: LUTs (for ECP5 four-input LUTs, carries and LUT memory
 apart; nextpnr counts them together), flip-flops, block RAMs, multipliers. A number that is more than MARGIN above or
@@ -14,6 +14,7 @@ Exit status: 0 all within the margin, 1 not so or a tool failed, 2 usage.
 import argparse
 import json
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import tools
@@ -47,19 +48,17 @@ UNITS = {
 }
 
 # (design, family, key, least, most, why): where memories and multipliers belong.
+SHADING = ("gouraud", "quadratic", "quadratic-depth")
 BELONGS = [
     ("bell_rom", "ecp5", "bram", 0, 0, "256 x 8 fit into LUTs"),
     ("bell_rom", "ice40", "bram", 1, 1, "the table with its registers is one block RAM"),
     ("stream_fifo", "ecp5", "lut_ram", 17, 17, "67 x 16 in LUT memory, four bits each"),
     ("stream_fifo", "ecp5", "bram", 0, 0, "LUT memory serves"),
     ("stream_fifo", "ice40", "bram", 5, 5, "67 x 16 in block RAM, sixteen bits each"),
-    *((core, family, "dsp", 0, 0, "the datapath has no multiplier")
-      for core in CORES for family in CELLS),
-    *((core, "ecp5", "bram", 0, 0, "queues stand in LUT memory") for core in ("gouraud", "quadratic", "quadratic-depth")),
-    *((core, "ecp5", "lut_ram", 1, None, "queues stand in LUT memory")
-      for core in ("gouraud", "quadratic", "quadratic-depth")),
-    *((core, "ice40", "bram", 1, None, "queues stand in block RAM")
-      for core in ("gouraud", "quadratic", "quadratic-depth")),
+    *((core, family, "dsp", 0, 0, "the datapath has no multiplier") for core in CORES for family in CELLS),
+    *((core, "ecp5", "bram", 0, 0, "queues stand in LUT memory") for core in SHADING),
+    *((core, "ecp5", "lut_ram", 1, None, "queues stand in LUT memory") for core in SHADING),
+    *((core, "ice40", "bram", 1, None, "queues stand in block RAM") for core in SHADING),
 ]
 
 
@@ -71,20 +70,24 @@ def count(cells, family):
             for key in KEYS}
 
 
-def measure():
+def measure(jobs):
     """{design: {family: {key: cells}}} of everything."""
     designs = {**UNITS, **CORES}
     progress = Progress(len(designs) * len(CELLS))
-    measured = {}
-    for name, design in designs.items():
-        folder = BUILD / "area" / name
+
+    def measure_one(name):
+        design, folder = designs[name], BUILD / "area" / name
         verilog = to_verilog(folder, design.entity, design.generics, design.sources)
-        measured[name] = {}
+        found = {}
         for family in CELLS:
             progress.show(f"{name} for {family}")
             netlist = to_netlist(folder / family, family, verilog, design.entity, wrapped=False)
-            measured[name][family] = count(netlist.cells, family)
+            found[family] = count(netlist.cells, family)
             progress.step()
+        return found
+
+    with ThreadPoolExecutor(max_workers=jobs) as pool:
+        measured = dict(zip(designs, pool.map(measure_one, designs)))
     progress.clear()
     return measured
 
@@ -128,9 +131,10 @@ def main(arguments):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--update", choices=("0", "1"), default="0", help="1: record instead of comparing")
     parser.add_argument("--record", type=Path, default=RECORD, help=f"default: {RECORD.relative_to(ROOT)}")
+    parser.add_argument("--jobs", type=int, default=1, help="designs at a time")
     options = parser.parse_args(arguments)
     try:
-        measured = measure()
+        measured = measure(options.jobs)
         findings = list(misplaced(measured))
         if options.update == "0":
             if not options.record.exists():
