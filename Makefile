@@ -61,8 +61,9 @@ help:
 	@echo "  build         library, command, tests, in build/release"
 	@echo "  demo          shade a mesh on every device, compare the devices, say where the pictures are"
 	@echo "  generate      write the generated VHDL packages, rtl_vhdl/generated, anew"
-	@echo "  test          native tests, VHDL benches, freshness of generated files; SANITIZE=1: native tests, sanitized"
+	@echo "  test          native tests, VHDL benches, co-simulation, fresh generated files; SANITIZE=1: native tests, sanitized"
 	@echo "  test-full     test, the native tests under sanitizers, and the installed package"
+	@echo "  cosim         VHDL against kernels: every unit's vectors, whole pictures, random packets; says how many"
 	@echo "  test-install  install under build/ and build a small project on the installed package"
 	@echo "  lint          format, warnings, VHDL style, synthesizability; nothing may be found"
 	@echo "  format        bring all C++ into the project's format"
@@ -171,6 +172,15 @@ test-native: build
 test-vhdl: build
 	@$(VENV)/python testbench/run.py --output-path build/vunit -p $(JOBS)
 
+.PHONY: cosim test-pictures test-pictures-full
+cosim: test-vhdl test-pictures
+
+test-pictures: build
+	@build/release/cosim_pictures
+
+test-pictures-full: build
+	@build/release/cosim_pictures --full
+
 test-sanitize: $(SETUP)
 	@$(CONFIGURE) -B build/sanitize -DSHEEN_SANITIZE=ON -DAC_TYPES_OLD=
 	@cmake --build build/sanitize -j $(JOBS) --target all product
@@ -183,7 +193,7 @@ test-ip: ip
 	@scripts/ip/test_ip.sh $(IP_TEST) build/ip
 
 test-full: IP_TEST := full
-test-full: test test-sanitize test-install
+test-full: test test-pictures-full test-sanitize test-install
 
 ##### Lint
 

@@ -68,6 +68,12 @@ target_link_libraries(throughput PRIVATE sheen sheen_hls sheen_warnings fmt::fmt
 add_dependencies(throughput device_ghdl device_verilator device_verilator-w32 device_verilator-w128)
 add_dependencies(benchmarks throughput)
 
+# cosim_pictures [--full] compares whole pictures and random streams on all devices.
+add_executable(cosim_pictures tests/cosim/pictures.cpp)
+target_include_directories(cosim_pictures PRIVATE tests)
+target_link_libraries(cosim_pictures PRIVATE sheen sheen_hls sheen_warnings fmt::fmt)
+add_dependencies(cosim_pictures devices)
+
 # make_ip_example writes the vectors of the example of `make ip`.
 add_executable(make_ip_example EXCLUDE_FROM_ALL tests/ip/make_ip_example.cpp)
 target_link_libraries(make_ip_example PRIVATE sheen sheen_hls sheen_warnings fmt::fmt)

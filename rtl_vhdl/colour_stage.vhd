@@ -55,6 +55,12 @@ architecture rtl of colour_stage is
     return integer_part(component_bits - 1 downto 0);
   end function saturate;
 
+  -- The low fields of a message.
+  function kind_and_x (kind : natural) return std_ulogic_vector is
+  begin
+    return std_ulogic_vector(to_unsigned(kind, coordinate_bits) & to_unsigned(message_x, coordinate_bits));
+  end function kind_and_x;
+
   signal f         : fragment_t;
   signal red_8     : component_t;  -- u8.0
   signal green_8   : component_t;
@@ -93,13 +99,13 @@ begin
         word <= blue_8 & green_8 & red_8 & depth_now & std_ulogic_vector(f.y & f.x);
       elsif f.query then
         word <= description(to_integer(f.x(1 downto 0))) & "000000" & std_ulogic_vector(f.x(1 downto 0))
-                & std_ulogic_vector(to_unsigned(message_query, coordinate_bits) & to_unsigned(message_x, coordinate_bits));
+                & kind_and_x(message_query);
       elsif is_fence then
         word <= header & "00000000"
-                & std_ulogic_vector(to_unsigned(message_fence, coordinate_bits) & to_unsigned(message_x, coordinate_bits));
+                & kind_and_x(message_fence);
       else
         word <= header & "000000" & code
-                & std_ulogic_vector(to_unsigned(message_error, coordinate_bits) & to_unsigned(message_x, coordinate_bits));
+                & kind_and_x(message_error);
       end if;
       if rst then
         valid <= '0';

@@ -4,8 +4,8 @@
 --
 -- Walks the long edge in whole pixels. Each row gives one span {x, y, length, direction} and one command to the
 -- channels: a step (one row down, kappa pixels along), then, when the long edge's phase accumulator carries, a carry
--- (one pixel more). A row takes 1 + carry clocks. Phases run a row ahead, so that a carry is a registered bit when it is
--- needed; that costs one clock (state prime) per triangle, and one at the middle vertex unless a carry fills it.
+-- (one pixel more). A row takes 1 + carry clocks. Phases run a row ahead, so that a carry is a registered bit when it
+-- is needed; that costs one clock (state prime) per triangle, and one at the middle vertex unless a carry fills it.
 --
 --              job                     long carry
 --     idle ---------> prime ------> row ----------> carry
@@ -255,7 +255,8 @@ begin
       command <= (load => load, linear => job.linear, depth => job.depth,
                   step => in_row or carry, carry => carry);
       if answer then
-        query         := to_std_ulogic(job.code = "00" and unsigned(job.header(31 downto header_opcode_lsb)) = opcode_query);
+        query         := to_std_ulogic(job.code = "00"
+                                       and unsigned(job.header(31 downto header_opcode_lsb)) = opcode_query);
         span.x        <= unsigned(job.header(coordinate_bits - 1 downto 0));
         span.y        <= unsigned(job.header(2 * coordinate_bits - 1 downto coordinate_bits));
         span.length   <= unsigned(std_ulogic_vector'(job.header(31 downto header_opcode_lsb) & "00" & job.code));
@@ -267,8 +268,8 @@ begin
           span.length <= to_unsigned(query_reply_words, coordinate_bits);
         end if;
       else
-        span <= (x => x, y => y, length => part.length, single => to_std_ulogic(part.length = 1), leftward => leftward, first => first,
-                 message => '0');
+        span <= (x => x, y => y, length => part.length, single => to_std_ulogic(part.length = 1),
+                 leftward => leftward, first => first, message => '0');
       end if;
       if rst then
         push         <= '0';

@@ -23,8 +23,8 @@
 --   slice 1                     I(31..16) + carry
 --
 -- Commands are seen a clock before they act: the edge part chooses its addends in the meantime, so that nothing stands
--- before an adder, and one multiplexer behind it. For that a carry comes in the clock after its step, and the first step
--- not before the second clock after a load; the edge walker sees to both.
+-- before an adder, and one multiplexer behind it. For that a carry comes in the clock after its step, and the first
+-- step not before the second clock after a load; the edge walker sees to both.
 --
 -- Number format: the channel's, the same for all six words (colour s10.22, depth u16.16; narrower channels take the
 -- low `width` bits of each word). Latency: 2 clocks from a command to slice 0, one more for each
@@ -50,9 +50,12 @@ entity forward_difference is
   port (
     clk     : in std_ulogic;
     command : in channel_command_t;
-    present : in std_ulogic;                                                 -- with load: in the packet; else the value is 0
-    words   : in word_vector_t(0 to choose(second_order, quadratic_words, linear_words) - 1);  -- I, D, E(, h, dD, dE)
-    value   : out std_ulogic_vector(value_bits - 1 downto 0)  -- upper bits of the span part's I
+    -- With load: the packet has the channel; else its value is 0.
+    present : in std_ulogic;
+    -- I, D, E and, with second_order, h, dD, dE.
+    words   : in word_vector_t(0 to choose(second_order, quadratic_words, linear_words) - 1);
+    -- The upper bits of the span part's I.
+    value   : out std_ulogic_vector(value_bits - 1 downto 0)
   );
 
   attribute latency : integer;
@@ -78,7 +81,8 @@ architecture rtl of forward_difference is
 begin
 
   assert slices <= width
-    report "forward_difference: slices is " & integer'image(slices) & ", it must not exceed the width, " & integer'image(width)
+    report "forward_difference: slices is " & integer'image(slices) & ", it must not exceed the width, "
+           & integer'image(width)
     severity failure;
   assert value_bits <= width - (slices - 1) * slice_width
     report "forward_difference: value_bits is " & integer'image(value_bits) & ", the upper slice has "

@@ -93,7 +93,7 @@ architecture rtl of packet_decoder is
 
   constant beat_index_bits : positive := 6;
   constant all_present     : keep_t   := (others => '1');
-  constant one_present     : keep_t   := (0 => '1', others => '0');
+  constant one_present     : keep_t   := std_ulogic_vector(to_unsigned(1, words_per_beat));
 
   signal beat_index : unsigned(beat_index_bits - 1 downto 0);
   signal broken     : std_ulogic;                              -- the framing is not what the header announces
@@ -272,7 +272,11 @@ begin
         expected <= lengths(to_integer(unsigned(header(flag_log_channels_lsb + 1 downto flag_linear_bit))));
       end if;
       -- The header is word 0, so the last word is number `length`.
-      at_final    <= to_std_ulogic(beat_index = final_less_one) when accept else to_std_ulogic(beat_index = final_index);
+      if accept then
+        at_final <= to_std_ulogic(beat_index = final_less_one);
+      else
+        at_final <= to_std_ulogic(beat_index = final_index);
+      end if;
       final_index <= resize(length / words_per_beat, beat_index_bits);
       final_less_one <= resize(length / words_per_beat - 1, beat_index_bits);
       for lane in 0 to words_per_beat - 1 loop

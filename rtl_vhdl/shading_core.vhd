@@ -2,13 +2,13 @@
 --
 -- shading_core: setup packets in, pixels out, both as AXI4-Stream.
 --
---   s_axis -> stream_fifo -> packet_decoder -> edge_walker -> span queue -> span_walker -> colour_stage -> stream_fifo -> m_axis
---                                  |                (stream_fifo)                              ^
---                                  +-- words -> forward_difference, one a channel --------------+
+--   s_axis -> beat queue -> packet_decoder -> edge_walker -> span queue -> span_walker -> colour_stage -> m_axis
+--                                 |                                                          ^   (pixel queue)
+--                                 +-- words -> forward_difference, one a channel ------------+
 --
 -- Three triangles are in work at once: one arrives in the decoder, one is walked along its edges, one is drawn span by
--- span. No clock enable runs through the datapath: when the pixel queue fills, a registered `go` stops the span walker, and
--- what is under way finds room in the queue's reserve.
+-- span. No clock enable runs through the datapath: when the pixel queue fills, a registered `go` stops the span
+-- walker, and what is under way finds room in the queue's reserve.
 --
 -- Streams: word k of a beat is bits 32k+31..32k; tkeep marks the words of a packet's last beat, tlast stands on it.
 -- m_axis_tlast is 1 on a fence echo only. Reset: synchronous, active high.

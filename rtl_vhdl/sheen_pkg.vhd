@@ -62,8 +62,8 @@ package sheen_pkg is
     message  : std_ulogic;
   end record span_t;
 
-  -- Commands of the edge walker to the start-edge part of every forward difference. A carry comes in the clock after its
-  -- step, the first step not before the second clock after a load.
+  -- Commands of the edge walker to the start-edge part of every forward difference. A carry comes in the clock after
+  -- its step, the first step not before the second clock after a load.
   type edge_command_t is record
     load   : std_ulogic;  -- take over the six words
     linear : std_ulogic;  -- with load: h, dD, dE are 0

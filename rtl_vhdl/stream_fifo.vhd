@@ -49,8 +49,9 @@ architecture rtl of stream_fifo is
   signal memory : memory_t;
 
   subtype counter_t is signed(depth_log2 + 1 downto 0);
-  signal room   : counter_t := to_signed(2 ** depth_log2 - reserve - 1, depth_log2 + 2);  -- places before ready falls, less 1
-  signal stored : counter_t := to_signed(-1, depth_log2 + 2);                             -- entries in the memory, less 1
+  -- Places left before ready falls, and entries in the memory, both less 1.
+  signal room   : counter_t := to_signed(2 ** depth_log2 - reserve - 1, depth_log2 + 2);
+  signal stored : counter_t := to_signed(-1, depth_log2 + 2);
 
   signal next_write  : unsigned(depth_log2 - 1 downto 0) := (others => '0');
   signal next_read   : unsigned(depth_log2 - 1 downto 0) := (others => '0');
@@ -60,7 +61,8 @@ architecture rtl of stream_fifo is
 begin
 
   assert reserve < 2 ** depth_log2
-    report "stream_fifo: reserve is " & integer'image(reserve) & ", it must be below the " & integer'image(2 ** depth_log2) & " places"
+    report "stream_fifo: reserve is " & integer'image(reserve) & ", it must be below the "
+           & integer'image(2 ** depth_log2) & " places"
     severity failure;
 
   ready         <= not room(room'left);

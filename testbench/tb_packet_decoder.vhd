@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: MIT
 --
--- packet_decoder against its kernel, clock by clock: a vector holds one clock's inputs and the outputs that stand in it.
+-- packet_decoder against its kernel, clock by clock: a vector holds one clock's inputs and the outputs that stand
+-- in it.
 --
 -- beat_ready and job.valid are compared in every clock, the job while job.valid is set: a triangle's flags, or a
 -- message's code and header. A triangle's geometry is compared in the clocks of its job, all words in the clock after
--- each, when the channels load them. stall_percent is a property of the vectors: the share of clocks without a beat, and
--- of those that leave a job untaken.
+-- each, when the channels load them. stall_percent is a property of the vectors: the share of clocks without a beat,
+-- and of those that leave a job untaken.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -4,8 +4,8 @@
 --
 -- Vector k holds beat k of the setup stream and word k of the answer, each with a bit that says whether there is one.
 -- The bench drives on falling edges and samples on rising ones, so an output that changes at any other time than after
--- a rising edge hangs on an input. AXI4-Stream: a valid word stays until it is taken; valid waits for no ready; tlast is
--- set on the echo of a fence and on nothing else.
+-- a rising edge hangs on an input. AXI4-Stream: a valid word stays until it is taken; valid waits for no ready; tlast
+-- is set on the echo of a fence and on nothing else.
 
 library ieee;
 use ieee.math_real.all;

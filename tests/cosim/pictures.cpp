@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Co-simulation of whole pictures: the kernels, the VHDL on GHDL and the VHDL on Verilator draw the same packets, and
-/// every word must be the same. Each 8-bit component must lie within one step of the method in double precision.
+/// every word must be the same. Each 8-bit component must lie within one step of the method in double precision. Then
+/// random packet streams (streams.hpp) on every core configuration, with and without pauses.
 ///
 /// Usage: cosim_pictures [--full]. Without --full GHDL draws each combination at 128×96 and one picture at 512×512.
 /// Exit status: 0 all agree, 1 a difference or a failing device; the packets of a failing picture are left behind.
@@ -22,6 +23,8 @@
 #include "sheen/packet.hpp"
 #include "sheen/reference.hpp"
 #include "sheen/render.hpp"
+#include "sheen/simulator_device.hpp"
+#include "streams.hpp"
 
 namespace {
 
@@ -86,6 +89,19 @@ class Cosimulation {
         return good;
     }
 
+    /// True when a core configuration answers random packets as the kernels do.
+    bool compare_stream(const char* core, int words_per_beat, const Stalls& stalls, Tally& tally) {
+        test::Rng rng(stalls.seed);
+        const auto packets = test::random_stream(rng, 300);
+        SimulatorDevice device(core, words_per_beat, stalls);
+        const std::string what = fmt::format("random packets, seed {}, pauses {} % and {} %, {} bits", stalls.seed,
+                                             stalls.source_percent, stalls.sink_percent, 32 * words_per_beat);
+        const auto expected = hls_->run(packets).words;
+        const bool good = judge(what, device, packets, expected, tally);
+        fmt::print("{:<62} {:>8} words, hls = {}\n", what, expected.size(), core);
+        return good;
+    }
+
     Tally verilator, ghdl;
 
  private:
@@ -126,10 +142,21 @@ bool run(bool full) {
             if (full) good &= cosimulation.compare(subject, method, {1024, 768, true});
         }
     }
+    for (const std::uint32_t seed : {1U, 2U, 3U}) {
+        const Stalls none{0, 0, seed};
+        const Stalls some{25, 40, seed};
+        good &= cosimulation.compare_stream("verilator", 2, none, cosimulation.verilator);
+        good &= cosimulation.compare_stream("verilator", 2, some, cosimulation.verilator);
+        good &= cosimulation.compare_stream("verilator-plain", 2, some, cosimulation.verilator);
+        good &= cosimulation.compare_stream("verilator-w32", 1, some, cosimulation.verilator);
+        good &= cosimulation.compare_stream("verilator-w128", 4, none, cosimulation.verilator);
+        good &= cosimulation.compare_stream("verilator-w128", 4, some, cosimulation.verilator);
+    }
+    good &= cosimulation.compare_stream("ghdl", 2, {25, 40, 4}, cosimulation.ghdl);
     for (const auto& [name, tally] :
          {std::pair{"verilator", cosimulation.verilator}, std::pair{"ghdl", cosimulation.ghdl}}) {
-        fmt::print("shading_core on {}: {} words of {} pictures compared with the kernels\n", name, tally.words,
-                   tally.pictures);
+        fmt::print("shading_core on {}: {} words of {} pictures and streams compared with the kernels\n", name,
+                   tally.words, tally.pictures);
     }
     return good;
 }
