@@ -62,7 +62,7 @@ help:
 	@echo "  demo          shade a mesh on every device, compare the devices, say where the pictures are"
 	@echo "  generate      write the generated VHDL packages, rtl_vhdl/generated, anew"
 	@echo "  test          native tests, VHDL benches, co-simulation, fresh generated files; SANITIZE=1: native tests, sanitized"
-	@echo "  test-full     test, the native tests under sanitizers, and the installed package"
+	@echo "  test-full     test, all pictures on GHDL too, the native tests under sanitizers, and the installed package"
 	@echo "  cosim         VHDL against kernels: every unit's vectors, whole pictures, random packets; says how many"
 	@echo "  test-install  install under build/ and build a small project on the installed package"
 	@echo "  lint          format, warnings, VHDL style, synthesizability; nothing may be found"
@@ -162,8 +162,8 @@ IP_TEST ?= quick
 ifeq ($(SANITIZE),1)
 test: test-sanitize
 else
-test: check-generated test-native test-vhdl test-ip
-	@echo "test: generated files are fresh; native tests, VHDL benches and cores to take away passed"
+test: check-generated test-native test-vhdl test-pictures test-ip
+	@echo "test: generated files are fresh; native tests, VHDL benches, pictures on all devices, cores to take away passed"
 endif
 
 test-native: build
