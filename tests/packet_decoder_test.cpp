@@ -73,8 +73,9 @@ Job job_of(const typename decoder_of<shape>::state_t& state) {
         for (int r = first; r < first + count; ++r) job.words.push_back(state.words[r].to_uint());
     };
     take(0, 10);
-    for (int c = 0; c < 3; ++c) take(decoder::channel_base + c * decoder::channel_words, job.linear ? 3 : 6);
-    if (job.depth) take(decoder::depth_base, 3);
+    for (int c = 0; c < 3; ++c)
+        take(decoder::channel_base + c * decoder::channel_words, job.linear ? 3 : decoder::channel_words);
+    if (job.depth) take(decoder::depth_base, decoder::register_count - decoder::depth_base);
     return job;
 }
 
