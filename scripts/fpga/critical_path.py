@@ -36,7 +36,11 @@ def place(cell, netlist):
     names = cell.split(".")
     if netlist.around and names.pop(0) != "core":
         return "a register before or behind the core"
-    return f"{netlist.units[names[0]]} ({names[0]})" if names[0] in netlist.units else netlist.top
+    for depth in range(len(names) - 1, 0, -1):
+        path = ".".join(names[:depth])
+        if path in netlist.units:
+            return f"{netlist.units[path]} ({path})"
+    return netlist.top
 
 
 def slowest(report):

@@ -24,7 +24,7 @@ class Netlist:
 
     path: Path
     top: str
-    units: dict  # instance path's first name -> entity
+    units: dict  # instance path -> entity
     cells: dict
     around: dict
 
@@ -62,12 +62,18 @@ def to_verilog(folder, entity, generics, sources):
 
 
 def units(verilog, top):
-    """{first name of an instance path: entity} of the instances that `top` has; GHDL appends generics to the names."""
-    entities = sorted((path.stem for path in [*rtl_sources(), *verilog.parent.glob("*.o")]), key=len, reverse=True)
-    body = re.search(rf"^module {top}$.*?^endmodule$", verilog.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    """{instance path, names with dots between: entity} below `top`; GHDL appends generics to entities' names."""
+    entities = sorted((path.stem for path in verilog.parent.glob("*.o")), key=len, reverse=True)
+    modules = dict(re.findall(r"^module (\w+)$(.*?)^endmodule$", verilog.read_text(encoding="utf-8"),
+                              re.MULTILINE | re.DOTALL))
     found = {}
-    for module, name in re.findall(r"^  (\w+) (\w+) \($", body.group(), re.MULTILINE):
-        found[name] = next((entity for entity in entities if module.startswith(entity)), module)
+
+    def descend(module, path):
+        for below, name in re.findall(r"^  (\w+) (\w+) \($", modules[module], re.MULTILINE):
+            found[path + name] = next((entity for entity in entities if below.startswith(entity)), below)
+            descend(below, f"{path}{name}.")
+
+    descend(top, "")
     return found
 
 
