@@ -122,7 +122,7 @@ StreamPacket good_triangle(Rng& rng, const CoreShape& shape) {
 
 StreamPacket malformed_packet(Rng& rng, const CoreShape& shape) {
     for (;;) {
-        const StreamPacket packet = random_packet(rng, random_walk(rng, 4095), shape);
+        StreamPacket packet = random_packet(rng, random_walk(rng, 4095), shape);
         if (packet_error(packet, shape) != 0) return packet;
     }
 }

@@ -3,6 +3,8 @@
 /// Setups and beats as the records that the kernels take.
 #pragma once
 
+#include <type_traits>
+
 #include "packet_stream.hpp"
 #include "sheen/hls/types.hpp"
 
@@ -61,7 +63,7 @@ typename decoder::beat_t beat_of(const StreamBeat& beat) {
     b.valid = 1;
     b.last = beat.last;
     b.keep = static_cast<int>(beat.keep);
-    constexpr int words = sizeof(b.words) / sizeof(b.words[0]);
+    constexpr int words = static_cast<int>(std::extent_v<decltype(b.words)>);
     for (int k = 0; k < words; ++k) b.words[k] = beat.words[static_cast<std::size_t>(k)];
     return b;
 }
