@@ -45,7 +45,7 @@ class SerialVectors {
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(options_.count); }
 
     std::vector<std::uint32_t> random_words(const CoreShape& shape) {
-        const std::vector<std::uint32_t> triangle =
+        std::vector<std::uint32_t> triangle =
             sheen::test::triangle_words(rng_, sheen::test::covering_walk(rng_, 16), shape);
         std::vector<std::uint32_t> words;
         switch (sheen::test::uniform(rng_, 0, 5)) {
