@@ -63,7 +63,7 @@ TEST(compare, measured_lights_are_four_runs_of_one_unit_light) {
     ASSERT_EQ(runs.size(), 4U);
     for (const auto& lights : runs) {
         ASSERT_EQ(lights.size(), 1U);
-        EXPECT_NEAR(glm::length(lights.front().direction), 1.0, 1e-15);
+        EXPECT_NEAR(glm::length(lights.front().vector), 1.0, 1e-15);
         EXPECT_EQ(lights.front().colour, glm::dvec3(1.0));
     }
 }

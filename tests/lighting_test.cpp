@@ -35,7 +35,7 @@ void expect_near(const glm::dvec3& actual, const glm::dvec3& expected) {
 
 TEST(Lighting, WithoutLightsOnlyAmbientRemains) {
     const Material material;
-    expect_near(shade(material, {}, to_eye_direction, to_eye_direction), 255.0 * material.ambient);
+    expect_near(shade(material, {}, {glm::dvec3(0.0), to_eye_direction, to_eye_direction}), 255.0 * material.ambient);
 }
 
 TEST(Lighting, WithoutSpecularItIsLambert) {
@@ -44,9 +44,9 @@ TEST(Lighting, WithoutSpecularItIsLambert) {
     material.specular = 0.0;
     for (int i = 0; i < cases; ++i) {
         const glm::dvec3 normal = direction();
-        const DirectionalLight light{direction(), {1.0, 0.5, 0.25}};
-        const double cosine = std::max(0.0, glm::dot(normal, light.direction));
-        expect_near(shade(material, {light}, normal, to_eye_direction),
+        const Light light{direction(), {1.0, 0.5, 0.25}};
+        const double cosine = std::max(0.0, glm::dot(normal, light.vector));
+        expect_near(shade(material, {light}, {glm::dvec3(0.0), normal, to_eye_direction}),
                     255.0 * (material.ambient + cosine * light.colour * material.diffuse));
     }
 }
@@ -58,9 +58,9 @@ TEST(Lighting, BlinnsHighlightIsThePowerOfHalfTheAngleBetweenLightAndMirror) {
     for (int degrees = -89; degrees <= 89; degrees += 2) {
         const double angle = degrees * std::acos(-1.0) / 180.0;
         const double half = 0.6;  // of the angle between light and eye
-        const DirectionalLight light{{std::sin(2.0 * half), 0.0, std::cos(2.0 * half)}, glm::dvec3(1.0)};
+        const Light light{{std::sin(2.0 * half), 0.0, std::cos(2.0 * half)}, glm::dvec3(1.0)};
         const glm::dvec3 normal(std::sin(half + angle), 0.0, std::cos(half + angle));
-        expect_near(shade(material, {light}, normal, to_eye_direction),
+        expect_near(shade(material, {light}, {glm::dvec3(0.0), normal, to_eye_direction}),
                     glm::dvec3(255.0 * material.specular * std::pow(std::cos(angle), material.shininess)));
     }
 }
@@ -70,12 +70,12 @@ TEST(Lighting, LightsAdd) {
     const Material material;
     for (int i = 0; i < cases; ++i) {
         const glm::dvec3 normal = direction();
-        const DirectionalLight a{direction(), {1.0, 0.2, 0.4}};
-        const DirectionalLight b{direction(), {0.3, 0.9, 0.1}};
+        const Light a{direction(), {1.0, 0.2, 0.4}};
+        const Light b{direction(), {0.3, 0.9, 0.1}};
         const glm::dvec3 ambient = 255.0 * material.ambient;
-        expect_near(shade(material, {a, b}, normal, to_eye_direction) - ambient,
-                    shade(material, {a}, normal, to_eye_direction) + shade(material, {b}, normal, to_eye_direction) -
-                        2.0 * ambient);
+        expect_near(shade(material, {a, b}, {glm::dvec3(0.0), normal, to_eye_direction}) - ambient,
+                    shade(material, {a}, {glm::dvec3(0.0), normal, to_eye_direction}) +
+                        shade(material, {b}, {glm::dvec3(0.0), normal, to_eye_direction}) - 2.0 * ambient);
     }
 }
 
@@ -83,8 +83,9 @@ TEST(Lighting, ALightStraightBehindGivesNoHighlightAndNoNan) {
     for (const double shininess : {0.0, 50.0}) {
         Material material;
         material.shininess = shininess;
-        const DirectionalLight behind{-to_eye_direction, glm::dvec3(1.0)};
-        expect_near(shade(material, {behind}, to_eye_direction, to_eye_direction), 255.0 * material.ambient);
+        const Light behind{-to_eye_direction, glm::dvec3(1.0)};
+        expect_near(shade(material, {behind}, {glm::dvec3(0.0), to_eye_direction, to_eye_direction}),
+                    255.0 * material.ambient);
     }
 }
 

@@ -121,7 +121,7 @@ TEST(Method, QuadraticInterpolatesTheRadianceAtVerticesAndMidpoints) {
             const ScreenVertex& a = t.vertices[n];
             const ScreenVertex& b = t.vertices[(n + 1) % 3];
             const auto radiance = [&](const glm::dvec3& normal) {
-                return shade(scene.material, scene.lights, normal, {0, 0, 1});
+                return shade(scene.material, scene.lights, {glm::dvec3(0.0), normal, {0.0, 0.0, 1.0}});
             };
             expect_near(colour_at(shading, a.point), radiance(a.normal), "vertex");
             expect_near(colour_at(shading, middle(a.point, b.point)), radiance(glm::normalize(a.normal + b.normal)),
@@ -139,12 +139,12 @@ TEST(Method, GouraudAndFlatAreLinearAndExactAtTheirNodes) {
         const Shading gouraud = shade_triangle(Method::gouraud, scene, t);
         const Shading flat = shade_triangle(Method::flat, scene, t);
         EXPECT_TRUE(gouraud.linear && flat.linear);
-        const glm::dvec3 face = shade(scene.material, scene.lights, t.face_normal, {0, 0, 1});
+        const glm::dvec3 face = shade(scene.material, scene.lights, {glm::dvec3(0.0), t.face_normal, {0.0, 0.0, 1.0}});
         for (std::size_t n = 0; n < 3; ++n) {
             const ScreenVertex& a = t.vertices[n];
             const ScreenVertex& b = t.vertices[(n + 1) % 3];
-            const glm::dvec3 colour = shade(scene.material, scene.lights, a.normal, {0, 0, 1});
-            const glm::dvec3 next = shade(scene.material, scene.lights, b.normal, {0, 0, 1});
+            const glm::dvec3 colour = shade(scene.material, scene.lights, {glm::dvec3(0.0), a.normal, {0.0, 0.0, 1.0}});
+            const glm::dvec3 next = shade(scene.material, scene.lights, {glm::dvec3(0.0), b.normal, {0.0, 0.0, 1.0}});
             expect_near(colour_at(gouraud, a.point), colour, "gouraud vertex");
             expect_near(colour_at(gouraud, middle(a.point, b.point)), 0.5 * (colour + next), "gouraud midpoint");
             expect_near(colour_at(flat, a.point), face, "flat");

@@ -117,7 +117,8 @@ TEST(Reference, PhongIsTheNormalisedLinearNormalShaded) {
             for (std::size_t k = 0; k < 3; ++k) {
                 normal += static_cast<double>(w[k]) * triangle.vertices[k].normal;
             }
-            const glm::dvec3 colour = shade(scene.material, scene.lights, glm::normalize(normal), {0.0, 0.0, 1.0});
+            const glm::dvec3 colour =
+                shade(scene.material, scene.lights, {glm::dvec3(0.0), glm::normalize(normal), {0.0, 0.0, 1.0}});
             expect_near(got, glm::clamp(colour, 0.0, 255.0), 1e-8);
         });
     }
@@ -129,7 +130,7 @@ TEST(Reference, GouraudIsTheLinearColourAndFlatTheFacesColour) {
     for (int run = 0; run < 40; ++run) {
         const ScreenTriangle triangle = random_triangle(random, scene);
         const auto colour_of = [&](const glm::dvec3& n) {
-            return shade(scene.material, scene.lights, n, {0.0, 0.0, 1.0});
+            return shade(scene.material, scene.lights, {glm::dvec3(0.0), n, {0.0, 0.0, 1.0}});
         };
         for_each_covered(render_reference(Method::gouraud, scene, {triangle}),
                          [&](int x, int y, const glm::dvec3& got) {
@@ -179,7 +180,8 @@ TEST(Reference, TheNearestPixelWinsAfterRoundingAndTheFirstOneWinsTies) {
             first.vertices[k].normal = {0.0, 0.0, 1.0};
             second.vertices[k].normal = {0.6, 0.0, 0.8};
         }
-        const glm::dvec3 first_colour = shade(scene.material, scene.lights, {0, 0, 1}, {0, 0, 1});
+        const glm::dvec3 first_colour =
+            shade(scene.material, scene.lights, {glm::dvec3(0.0), {0, 0, 1}, {0.0, 0.0, 1.0}});
         const ReferenceImage image = render_reference(Method::phong, scene, {first, second});
         for_each_covered(image, [&](int x, int y, const glm::dvec3& got) {
             if (!edge_functions_cover(points_of(first), x, y) || !edge_functions_cover(points_of(second), x, y)) {

@@ -183,8 +183,8 @@ Comparison compare(const Scene& scene, const ComparisonRequest& request, const C
     Devices devices = make_devices(request);
     std::vector<Measurement> measurements = make_rows(request);
     const std::vector<ScreenTriangle> triangles = project(scene);
-    const std::vector<std::vector<DirectionalLight>> runs =
-        request.runs.empty() ? std::vector<std::vector<DirectionalLight>>{scene.lights} : request.runs;
+    const std::vector<std::vector<Light>> runs =
+        request.runs.empty() ? std::vector<std::vector<Light>>{scene.lights} : request.runs;
 
     Comparison comparison;
     comparison.runs = runs.size();
@@ -221,12 +221,12 @@ Comparison compare(const Scene& scene, const ComparisonRequest& request, const C
     return comparison;
 }
 
-std::vector<std::vector<DirectionalLight>> measured_lights() {
-    std::vector<std::vector<DirectionalLight>> runs;
+std::vector<std::vector<Light>> measured_lights() {
+    std::vector<std::vector<Light>> runs;
     for (const glm::dvec3& direction : {glm::dvec3(-0.4, 0.5, 0.77), glm::dvec3(0.6, 0.3, 0.74),
                                         glm::dvec3(0.2, -0.55, 0.8), glm::dvec3(0.85, 0.45, 0.15)}) {
-        DirectionalLight light;
-        light.direction = glm::normalize(direction);
+        Light light;
+        light.vector = glm::normalize(direction);
         runs.push_back({light});
     }
     return runs;

@@ -25,12 +25,19 @@ double blinn_factor(const glm::dvec3& normal, const glm::dvec3& to_light, const 
 
 }  // namespace
 
-glm::dvec3 shade(const Material& material, const std::vector<DirectionalLight>& lights, const glm::dvec3& normal,
-                 const glm::dvec3& to_eye) {
+glm::dvec3 Light::direction_from(const glm::dvec3& position) const {
+    if (kind == Kind::directional) return vector;
+    const glm::dvec3 offset = vector - position;
+    const double length = glm::length(offset);
+    return length > 0.0 ? offset / length : glm::dvec3(0.0, 0.0, 1.0);
+}
+
+glm::dvec3 shade(const Material& material, const std::vector<Light>& lights, const SurfacePoint& point) {
     glm::dvec3 radiance = material.ambient;
-    for (const DirectionalLight& light : lights) {
-        const double lambert = std::max(0.0, glm::dot(normal, light.direction));
-        const double highlight = blinn_factor(normal, light.direction, to_eye, material.shininess);
+    for (const Light& light : lights) {
+        const glm::dvec3 to_light = light.direction_from(point.position);
+        const double lambert = std::max(0.0, glm::dot(point.normal, to_light));
+        const double highlight = blinn_factor(point.normal, to_light, point.to_eye, material.shininess);
         radiance += light.colour * (material.diffuse * lambert + material.specular * highlight);
     }
     return full_scale * radiance;

@@ -11,15 +11,17 @@ namespace sheen {
 namespace {
 
 /// A colour node: within ±306, so that the quadratic's overshoot by 5/3 still fits ten integer bits.
-glm::dvec3 node_colour(const Scene& scene, const glm::dvec3& position, const glm::dvec3& normal) {
+glm::dvec3 node_colour(const Scene& scene, const Material& material, const glm::dvec3& position,
+                       const glm::dvec3& normal) {
     const glm::dvec3 limit(hls::colour_node_limit);
-    return glm::clamp(shade(scene.material, scene.lights, normal, to_eye(scene, position)), -limit, limit);
+    const SurfacePoint point{position, normal, to_eye(scene, position)};
+    return glm::clamp(shade(material, scene.lights, point), -limit, limit);
 }
 
 /// The colour at the middle of an edge, from the edge alone: the same to the bit whichever triangle asks.
-glm::dvec3 midpoint_colour(const Scene& scene, const ScreenVertex& a, const ScreenVertex& b) {
+glm::dvec3 midpoint_colour(const Scene& scene, const Material& material, const ScreenVertex& a, const ScreenVertex& b) {
     const glm::dvec3 position = 0.5 * (a.position + b.position);
-    return node_colour(scene, position, midpoint_normal(a.normal, b.normal, to_eye(scene, position)));
+    return node_colour(scene, material, position, midpoint_normal(a.normal, b.normal, to_eye(scene, position)));
 }
 
 std::array<SnappedPoint, 3> screen_points(const ScreenTriangle& triangle) {
@@ -94,12 +96,12 @@ TriangleNodes shade_nodes(Method method, const Scene& scene, const ScreenTriangl
     nodes.linear = method != Method::quadratic;
     if (method == Method::flat) {
         const glm::dvec3 centroid = (v[0].position + v[1].position + v[2].position) / 3.0;
-        std::fill_n(nodes.colour.begin(), 3, node_colour(scene, centroid, triangle.face_normal));
+        std::fill_n(nodes.colour.begin(), 3, node_colour(scene, triangle.material, centroid, triangle.face_normal));
         return nodes;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-        nodes.colour[k] = node_colour(scene, v[k].position, v[k].normal);
-        if (!nodes.linear) nodes.colour[3 + k] = midpoint_colour(scene, v[k], v[(k + 1) % 3]);
+        nodes.colour[k] = node_colour(scene, triangle.material, v[k].position, v[k].normal);
+        if (!nodes.linear) nodes.colour[3 + k] = midpoint_colour(scene, triangle.material, v[k], v[(k + 1) % 3]);
     }
     return nodes;
 }

@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "sheen/hls/formats.hpp"
+#include "sheen/shader.hpp"
 
 namespace sheen {
 namespace {
@@ -38,20 +38,6 @@ class Sampler {
     double area_;
 };
 
-/// Phong: the normal interpolated linearly and normalised, then shaded. Where opposite normals cancel, the face's.
-glm::dvec3 phong_colour(const Scene& scene, const ScreenTriangle& triangle, const glm::dvec3& weights) {
-    glm::dvec3 normal(0.0);
-    glm::dvec3 position(0.0);
-    for (int corner = 0; corner < 3; ++corner) {
-        const ScreenVertex& vertex = triangle.vertices[static_cast<std::size_t>(corner)];
-        normal += weights[corner] * vertex.normal;
-        position += weights[corner] * vertex.position;
-    }
-    const double length = glm::length(normal);
-    normal = length > 0.0 ? normal / length : triangle.face_normal;
-    return shade(scene.material, scene.lights, normal, to_eye(scene, position));
-}
-
 /// The picture under construction.
 class Canvas {
  public:
@@ -64,21 +50,22 @@ class Canvas {
         depth_.assign(pixels, 0);
     }
 
-    /// Draws a triangle; `colour_at(weights)` is its unclamped colour there.
-    template <typename ColourAt>
-    void draw(const ScreenTriangle& triangle, ColourAt colour_at) {
+    /// Draws the triangle's pixels.
+    void draw(const ScreenTriangle& triangle, Shader& shader) {
         const Sampler sampler(triangle.vertices);
         for (const TriangleWalk& walk : triangle.walks) {
             ++image_.triangles;
             const ChannelWords depth = depth_words(triangle, walk);
             const int step = walk.leftward ? -1 : 1;
             for_each_row(walk, [&](const WalkRow& row) {
+                if (row.length == 0) return;
+                shader.start_row({walk.leftward ? row.x - row.length + 1 : row.x, row.y, row.length});
                 for (int i = 0; i < row.length; ++i) {
                     const int x = row.x + step * i;
                     const std::uint32_t value = channel_value(depth, row.carries + i, row.row);
                     if (passes_depth(x, row.y, static_cast<std::uint16_t>(value >> hls::depth_fraction_bits))) {
-                        image_.colour[index(x, row.y)] =
-                            glm::clamp(colour_at(sampler.weights(x, row.y)), glm::dvec3(0.0), glm::dvec3(full_scale));
+                        const glm::dvec3 colour = shader.colour(x, sampler.weights(x, row.y));
+                        image_.colour[index(x, row.y)] = glm::clamp(colour, glm::dvec3(0.0), glm::dvec3(full_scale));
                     }
                 }
             });
@@ -120,15 +107,11 @@ Image ReferenceImage::image() const {
     return result;
 }
 
-ReferenceImage render_reference(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles) {
+ReferenceImage render_reference(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
+                                const MethodOptions& options) {
     Canvas canvas(scene.width, scene.height);
     for (const ScreenTriangle& triangle : triangles) {
-        if (method == Method::phong) {
-            canvas.draw(triangle, [&](const glm::dvec3& weights) { return phong_colour(scene, triangle, weights); });
-            continue;
-        }
-        const TriangleNodes nodes = shade_nodes(method, scene, triangle);
-        canvas.draw(triangle, [&](const glm::dvec3& weights) { return nodes.colour_at(weights); });
+        canvas.draw(triangle, *make_shader(method, options, scene, triangle));
     }
     return canvas.take();
 }

@@ -77,6 +77,11 @@ class View {
     glm::dmat3 rotation_;
 };
 
+const Material& material_of(const Scene& scene, std::size_t triangle) {
+    const Mesh& mesh = scene.mesh;
+    return mesh.triangle_materials.empty() ? scene.material : mesh.materials[mesh.triangle_materials[triangle]];
+}
+
 void require_size(const Scene& scene) {
     if (scene.width < 1 || scene.width > max_side || scene.height < 1 || scene.height > max_side) {
         throw UsageError("impossible image size " + std::to_string(scene.width) + "x" + std::to_string(scene.height) +
@@ -90,7 +95,8 @@ std::vector<ScreenTriangle> project(const Scene& scene) {
     require_size(scene);
     const View view(scene);
     std::vector<ScreenTriangle> result;
-    for (const auto& indices : scene.mesh.triangles) {
+    for (std::size_t index = 0; index < scene.mesh.triangles.size(); ++index) {
+        const auto& indices = scene.mesh.triangles[index];
         ScreenTriangle triangle;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             triangle.vertices[corner] = view.vertex(indices[corner]);
@@ -107,6 +113,7 @@ std::vector<ScreenTriangle> project(const Scene& scene) {
         if (triangle.walks.empty()) {
             continue;
         }
+        triangle.material = material_of(scene, index);
         triangle.face_normal = view.visible_normal(triangle.vertices);
         if (back_face) {
             for (ScreenVertex& vertex : triangle.vertices) {

@@ -43,8 +43,8 @@ void SceneOptions::add_light_options(CLI::App& command) {
         .add_option_function<std::string>(
             "--light",
             [this](const std::string& word) {
-                DirectionalLight light;
-                light.direction = parse_direction("--light", word);
+                Light light;
+                light.vector = parse_direction("--light", word);
                 scene_.lights.push_back(light);
                 light_has_colour_ = false;
             },
@@ -97,8 +97,8 @@ Scene SceneOptions::load() const {
     Scene scene = scene_;
     scene.mesh = load_mesh(mesh_);
     if (scene.lights.empty()) {
-        DirectionalLight light;
-        light.direction = glm::normalize(light.direction);
+        Light light;
+        light.vector = glm::normalize(light.vector);
         scene.lights.push_back(light);
     }
     return scene;

@@ -34,7 +34,7 @@ struct ComparisonRequest {
     std::vector<Method> methods;
     std::vector<std::string> devices;  ///< of drawing_names()
     /// The lights of each run; the figures are over all runs. Empty: one run with the scene's lights.
-    std::vector<std::vector<DirectionalLight>> runs;
+    std::vector<std::vector<Light>> runs;
 };
 
 /// One method on one device, against the reference `phong` over the pixels of the mesh: double against double for the
@@ -74,7 +74,7 @@ Comparison compare(const Scene& scene, const ComparisonRequest& request, const C
 
 /// The four directional lights that the project's quality figures are measured with, each a run of its own: one from
 /// the side, three from the front.
-std::vector<std::vector<DirectionalLight>> measured_lights();
+std::vector<std::vector<Light>> measured_lights();
 
 /// Draws the comparison: a column per method, a picture and an error map per device, the reference `phong` first.
 /// Tiles of more than 512 pixels are reduced by a whole factor: pictures by the mean, error maps by the maximum.

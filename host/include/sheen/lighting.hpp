@@ -8,11 +8,14 @@
 
 namespace sheen {
 
-/// A directional light in eye space; `direction` points towards the light and has length 1; colour is linear, 1 =
-/// white.
-struct DirectionalLight {
-    glm::dvec3 direction{-0.4, 0.5, 0.77};
+/// A light in eye space; its colour is linear, 1 = white.
+struct Light {
+    enum class Kind { directional, positional };
+    glm::dvec3 vector{-0.4, 0.5, 0.77};  ///< directional: towards the light, of length 1; positional: its place
     glm::dvec3 colour{1.0};
+    Kind kind = Kind::directional;
+    /// Unit vector from a surface point towards the light; (0, 0, 1) for a point in the light's own place.
+    [[nodiscard]] glm::dvec3 direction_from(const glm::dvec3& position) const;
 };
 
 enum class Brdf { blinn };
@@ -26,9 +29,15 @@ struct Material {
     Brdf brdf = Brdf::blinn;
 };
 
-/// Colour in 8-bit steps (255 = full), not clamped above, of a surface point with unit normal `normal` seen from unit
-/// direction `to_eye`. Diffuse is max(0, N·L); specular max(0, N·H)^n, not suppressed where N·L < 0, as in the papers.
-glm::dvec3 shade(const Material& material, const std::vector<DirectionalLight>& lights, const glm::dvec3& normal,
-                 const glm::dvec3& to_eye);
+/// A point of a surface as shading sees it, in eye space.
+struct SurfacePoint {
+    glm::dvec3 position{0.0};
+    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit
+    glm::dvec3 to_eye{0.0, 0.0, 1.0};  ///< unit
+};
+
+/// Colour in 8-bit steps (255 = full), not clamped above, of a surface point. Diffuse is max(0, N·L); specular max(0,
+/// N·H)^n, not suppressed where N·L < 0, as in the papers.
+glm::dvec3 shade(const Material& material, const std::vector<Light>& lights, const SurfacePoint& point);
 
 }  // namespace sheen

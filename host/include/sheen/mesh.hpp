@@ -9,14 +9,19 @@
 #include <string>
 #include <vector>
 
+#include "sheen/lighting.hpp"
+
 namespace sheen {
 
-/// A triangle mesh in its own units. `normals` has one unit vector per position; triangles index both.
+/// A triangle mesh in its own units. `normals` has one unit vector per position; triangles index both. A mesh with
+/// materials of its own has an index into them per triangle; one without takes the scene's.
 struct Mesh {
     std::string name;
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Material> materials;
+    std::vector<std::uint32_t> triangle_materials;  ///< as many as triangles, or none
 };
 
 /// The mesh's bounding sphere: centre of the axis-aligned box, radius to the farthest vertex used by a triangle.

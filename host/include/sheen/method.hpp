@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sheen/method_options.hpp"
 #include "sheen/polynomial.hpp"
 #include "sheen/raster.hpp"
 #include "sheen/scene.hpp"

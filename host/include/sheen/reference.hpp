@@ -24,9 +24,9 @@ struct ReferenceImage {
     [[nodiscard]] Image image() const;
 };
 
-/// Renders `method` per pixel. For `phong` normals are interpolated linearly and normalised, then shaded (the reference
-/// of all comparisons); the others interpolate their nodes in double, in barycentric form. Coverage and depth are the
-/// devices', to the bit, so that a pixel shows the same triangle.
-ReferenceImage render_reference(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles);
+/// Renders `method` per pixel with its Shader. Coverage and depth are the devices', to the bit, so that a pixel shows
+/// the same triangle. \throws Error where the method can't express the scene.
+ReferenceImage render_reference(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
+                                const MethodOptions& options = {});
 
 }  // namespace sheen

@@ -20,8 +20,8 @@ namespace sheen {
 /// height; depth maps −3r…−5r to [1, 65534].
 struct Scene {
     Mesh mesh;
-    Material material;
-    std::vector<DirectionalLight> lights;
+    Material material;  ///< of triangles whose mesh brings none
+    std::vector<Light> lights;
     glm::dvec3 rotate_degrees{0.0};  ///< about x, then y, then z, about the bounding sphere's centre
     int width = 512;                 ///< 1…4095
     int height = 512;                ///< 1…4095
@@ -41,6 +41,7 @@ struct ScreenVertex {
 struct ScreenTriangle {
     std::array<ScreenVertex, 3> vertices;
     glm::dvec3 face_normal{0.0};  ///< eye space, unit, on the visible side
+    Material material;
     std::vector<TriangleWalk> walks;
 };
 
