@@ -2,7 +2,7 @@
 #include "sheen/method.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
 #include "sheen/error.hpp"
 #include "sheen/hls/formats.hpp"
@@ -11,17 +11,9 @@ namespace sheen {
 namespace {
 
 /// A colour node: within ±306, so that the quadratic's overshoot by 5/3 still fits ten integer bits.
-glm::dvec3 node_colour(const Scene& scene, const Material& material, const glm::dvec3& position,
-                       const glm::dvec3& normal) {
+glm::dvec3 node_colour(const Scene& scene, const Material& material, const SurfacePoint& node) {
     const glm::dvec3 limit(hls::colour_node_limit);
-    const SurfacePoint point{position, normal, to_eye(scene, position)};
-    return glm::clamp(shade(material, scene.lights, point), -limit, limit);
-}
-
-/// The colour at the middle of an edge, from the edge alone: the same to the bit whichever triangle asks.
-glm::dvec3 midpoint_colour(const Scene& scene, const Material& material, const ScreenVertex& a, const ScreenVertex& b) {
-    const glm::dvec3 position = 0.5 * (a.position + b.position);
-    return node_colour(scene, material, position, midpoint_normal(a.normal, b.normal, to_eye(scene, position)));
+    return glm::clamp(shade(material, scene.lights, node), -limit, limit);
 }
 
 std::array<SnappedPoint, 3> screen_points(const ScreenTriangle& triangle) {
@@ -68,15 +60,6 @@ Method parse_method(const std::string& word) {
 
 bool has_packets(Method method) { return method != Method::phong; }
 
-glm::dvec3 midpoint_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& eye) {
-    constexpr double vanishing = 1e-6;  // length of a + b below which its direction is rounding noise
-    const glm::dvec3 sum = a + b;
-    if (glm::length(sum) > vanishing) return glm::normalize(sum);
-    const glm::dvec3 axis = glm::normalize(a - b);
-    const glm::dvec3 towards_eye = eye - glm::dot(eye, axis) * axis;
-    return glm::length(towards_eye) > vanishing ? glm::normalize(towards_eye) : eye;
-}
-
 glm::dvec3 TriangleNodes::colour_at(const glm::dvec3& weights) const {
     glm::dvec3 sum(0.0);
     for (int k = 0; k < 3; ++k) {
@@ -96,12 +79,14 @@ TriangleNodes shade_nodes(Method method, const Scene& scene, const ScreenTriangl
     nodes.linear = method != Method::quadratic;
     if (method == Method::flat) {
         const glm::dvec3 centroid = (v[0].position + v[1].position + v[2].position) / 3.0;
-        std::fill_n(nodes.colour.begin(), 3, node_colour(scene, triangle.material, centroid, triangle.face_normal));
+        const SurfacePoint middle{centroid, triangle.face_normal, to_eye(scene, centroid)};
+        std::fill_n(nodes.colour.begin(), 3, node_colour(scene, triangle.material, middle));
         return nodes;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-        nodes.colour[k] = node_colour(scene, triangle.material, v[k].position, v[k].normal);
-        if (!nodes.linear) nodes.colour[3 + k] = midpoint_colour(scene, triangle.material, v[k], v[(k + 1) % 3]);
+        nodes.colour[k] = node_colour(scene, triangle.material, vertex_node(scene, v[k]));
+        if (nodes.linear) continue;
+        nodes.colour[3 + k] = node_colour(scene, triangle.material, edge_node(scene, v[k], v[(k + 1) % 3]));
     }
     return nodes;
 }

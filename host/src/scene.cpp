@@ -125,6 +125,11 @@ std::vector<ScreenTriangle> project(const Scene& scene) {
     return result;
 }
 
-glm::dvec3 to_eye(const Scene& /*scene*/, const glm::dvec3& /*position*/) { return {0.0, 0.0, 1.0}; }
+glm::dvec3 to_eye(const Scene& scene, const glm::dvec3& position) {
+    const glm::dvec3 forward(0.0, 0.0, 1.0);
+    if (!scene.field_of_view) return forward;
+    const double distance = glm::length(position);
+    return distance > 0.0 ? -position / distance : forward;
+}
 
 }  // namespace sheen

@@ -3,8 +3,6 @@
 /// Shaders of the methods that need nothing but their nodes, and Phong; the table of all shaders.
 #include "sheen/shader.hpp"
 
-#include <glm/geometric.hpp>
-
 #include "sheen/error.hpp"
 
 namespace sheen {
@@ -22,21 +20,12 @@ class NodeShader : public Shader {
     TriangleNodes nodes_;
 };
 
-/// `phong`: the normal interpolated linearly and normalised, then shaded. Where opposite normals cancel, the face's.
+/// `phong`: position and normal interpolated on the surface at every pixel, then shaded.
 class PhongShader : public Shader {
  public:
     PhongShader(const Scene& scene, const ScreenTriangle& triangle) : scene_(scene), triangle_(triangle) {}
     [[nodiscard]] glm::dvec3 colour(int /*x*/, const glm::dvec3& weights) const override {
-        SurfacePoint point{glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec3(0.0)};
-        for (int corner = 0; corner < 3; ++corner) {
-            const ScreenVertex& vertex = triangle_.vertices[static_cast<std::size_t>(corner)];
-            point.normal += weights[corner] * vertex.normal;
-            point.position += weights[corner] * vertex.position;
-        }
-        const double length = glm::length(point.normal);
-        point.normal = length > 0.0 ? point.normal / length : triangle_.face_normal;
-        point.to_eye = to_eye(scene_, point.position);
-        return shade(triangle_.material, scene_.lights, point);
+        return shade(triangle_.material, scene_.lights, surface_point(scene_, triangle_, weights));
     }
 
  private:

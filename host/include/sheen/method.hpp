@@ -14,6 +14,7 @@
 #include "sheen/polynomial.hpp"
 #include "sheen/raster.hpp"
 #include "sheen/scene.hpp"
+#include "sheen/surface.hpp"
 
 namespace sheen {
 
@@ -35,14 +36,9 @@ struct TriangleNodes {
     [[nodiscard]] glm::dvec3 colour_at(const glm::dvec3& weights) const;
 };
 
-/// The normal in the middle of an edge: the mean of its ends' unit normals, normalised. Where the mean vanishes
-/// (opposite normals) every perpendicular is equally near: the one that faces `eye` most is taken, or `eye` itself when
-/// the normals lie along it. Symmetric in a and b to the bit, so that neighbours agree.
-glm::dvec3 midpoint_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& eye);
-
 /// The nodes of one triangle, clamped to ±306 and shaded with shade(): `flat` at the centroid with the face normal;
-/// `gouraud` at the vertices; `quadratic` (paper `quadratic`, section 3) at the vertices and in the middle of the
-/// edges, with midpoint_normal(). \throws Error for `phong`.
+/// `gouraud` at the vertices; `quadratic` (paper `quadratic`, section 3) at the vertices and each edge_node(). \throws
+/// Error for `phong`.
 TriangleNodes shade_nodes(Method method, const Scene& scene, const ScreenTriangle& triangle);
 
 /// Red, green and blue through the nodes, over the triangle's snapped vertices, about `origin`.

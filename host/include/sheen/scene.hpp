@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "sheen/lighting.hpp"
@@ -22,10 +22,12 @@ struct Scene {
     Mesh mesh;
     Material material;  ///< of triangles whose mesh brings none
     std::vector<Light> lights;
-    glm::dvec3 rotate_degrees{0.0};  ///< about x, then y, then z, about the bounding sphere's centre
-    int width = 512;                 ///< 1…4095
-    int height = 512;                ///< 1…4095
-    bool two_sided = false;          ///< keep back faces, with their normals flipped
+    glm::dvec3 rotate_degrees{0.0};       ///< about x, then y, then z, about the bounding sphere's centre
+    int width = 512;                      ///< 1…4095
+    int height = 512;                     ///< 1…4095
+    bool two_sided = false;               ///< keep back faces, with their normals flipped
+    std::optional<double> field_of_view;  ///< perspective: vertical, degrees, 1…170; none: orthographic
+    std::optional<double> distance;       ///< perspective: of the sphere's centre, in radii, 0…1000; none: fills 0.9
 };
 
 /// A vertex on the screen with what shading needs.
@@ -49,7 +51,7 @@ struct ScreenTriangle {
 /// \throws UsageError for an impossible size, Error for a mesh whose radius is 0 or not finite.
 std::vector<ScreenTriangle> project(const Scene& scene);
 
-/// Unit vector from a surface point towards the eye: (0, 0, 1) for the orthographic camera.
+/// Unit vector from a surface point towards the eye: (0, 0, 1) for the orthographic camera and for a point in the eye.
 glm::dvec3 to_eye(const Scene& scene, const glm::dvec3& position);
 
 }  // namespace sheen
