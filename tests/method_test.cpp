@@ -79,14 +79,15 @@ TEST(Method, NamesComeBackAndUnknownOnesAreAnsweredWithTheList) {
     for (const Method method : all_methods()) {
         EXPECT_EQ(parse_method(to_string(method)), method);
         names.insert(to_string(method));
-        EXPECT_EQ(has_packets(method), method != Method::phong);
+        EXPECT_EQ(has_packets(method), method <= Method::quadratic);
     }
-    EXPECT_EQ(names, (std::set<std::string>{"flat", "gouraud", "quadratic", "phong"}));
+    EXPECT_EQ(names, (std::set<std::string>{"flat", "gouraud", "quadratic", "log-quadratic", "phong"}));
     try {
         parse_method("Gouraud");
         ADD_FAILURE() << "accepted";
     } catch (const UsageError& error) {
-        EXPECT_STREQ(error.what(), "unknown method 'Gouraud': expected one of flat, gouraud, quadratic, phong");
+        EXPECT_STREQ(error.what(),
+                     "unknown method 'Gouraud': expected one of flat, gouraud, quadratic, log-quadratic, phong");
     }
 }
 

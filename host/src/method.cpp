@@ -31,7 +31,8 @@ std::array<double, count> component(const TriangleNodes& nodes, std::size_t inde
 }  // namespace
 
 const std::vector<Method>& all_methods() {
-    static const std::vector<Method> methods{Method::flat, Method::gouraud, Method::quadratic, Method::phong};
+    static const std::vector<Method> methods{Method::flat, Method::gouraud, Method::quadratic, Method::log_quadratic,
+                                             Method::phong};
     return methods;
 }
 
@@ -43,6 +44,8 @@ std::string to_string(Method method) {
             return "gouraud";
         case Method::quadratic:
             return "quadratic";
+        case Method::log_quadratic:
+            return "log-quadratic";
         case Method::phong:
             return "phong";
     }
@@ -58,7 +61,9 @@ Method parse_method(const std::string& word) {
     throw UsageError("unknown method '" + word + "': expected one of " + names);
 }
 
-bool has_packets(Method method) { return method != Method::phong; }
+bool has_packets(Method method) {
+    return method == Method::flat || method == Method::gouraud || method == Method::quadratic;
+}
 
 glm::dvec3 TriangleNodes::colour_at(const glm::dvec3& weights) const {
     glm::dvec3 sum(0.0);
@@ -71,8 +76,8 @@ glm::dvec3 TriangleNodes::colour_at(const glm::dvec3& weights) const {
 }
 
 TriangleNodes shade_nodes(Method method, const Scene& scene, const ScreenTriangle& triangle) {
-    if (method == Method::phong) {
-        throw Error("method 'phong' is computed per pixel: it has no polynomial and no packets");
+    if (!has_packets(method)) {
+        throw Error("method '" + to_string(method) + "' is no polynomial of colour: it has no packets");
     }
     const auto& v = triangle.vertices;
     TriangleNodes nodes;

@@ -3,7 +3,10 @@
 /// Shaders of the methods that need nothing but their nodes, and Phong; the table of all shaders.
 #include "sheen/shader.hpp"
 
+#include <utility>
+
 #include "sheen/error.hpp"
+#include "sheen/log_quadratic.hpp"
 
 namespace sheen {
 namespace {
@@ -18,6 +21,18 @@ class NodeShader : public Shader {
 
  private:
     TriangleNodes nodes_;
+};
+
+/// `log-quadratic`: diffuse and highlights from nodes of their own.
+class LogShader : public Shader {
+ public:
+    explicit LogShader(LogNodes nodes) : nodes_(std::move(nodes)) {}
+    [[nodiscard]] glm::dvec3 colour(int /*x*/, const glm::dvec3& weights) const override {
+        return nodes_.colour_at(weights);
+    }
+
+ private:
+    LogNodes nodes_;
 };
 
 /// `phong`: position and normal interpolated on the surface at every pixel, then shaded.
@@ -40,13 +55,14 @@ std::optional<std::string> why_inexpressible(Method method, const Scene& /*scene
         case Method::flat:
         case Method::gouraud:
         case Method::quadratic:
+        case Method::log_quadratic:
         case Method::phong:
             return std::nullopt;
     }
     throw Error("method number " + std::to_string(static_cast<int>(method)) + " does not exist");
 }
 
-std::unique_ptr<Shader> make_shader(Method method, const MethodOptions& /*options*/, const Scene& scene,
+std::unique_ptr<Shader> make_shader(Method method, const MethodOptions& options, const Scene& scene,
                                     const ScreenTriangle& triangle) {
     if (const std::optional<std::string> reason = why_inexpressible(method, scene)) throw Error(*reason);
     switch (method) {
@@ -54,6 +70,8 @@ std::unique_ptr<Shader> make_shader(Method method, const MethodOptions& /*option
         case Method::gouraud:
         case Method::quadratic:
             return std::make_unique<NodeShader>(shade_nodes(method, scene, triangle));
+        case Method::log_quadratic:
+            return std::make_unique<LogShader>(shade_log_nodes(options, scene, triangle));
         case Method::phong:
             return std::make_unique<PhongShader>(scene, triangle);
     }

@@ -18,7 +18,7 @@
 
 namespace sheen {
 
-enum class Method { flat, gouraud, quadratic, phong };
+enum class Method { flat, gouraud, quadratic, log_quadratic, phong };
 
 /// All methods, in the order in which they are listed to a user.
 const std::vector<Method>& all_methods();
@@ -38,7 +38,7 @@ struct TriangleNodes {
 
 /// The nodes of one triangle, clamped to ±306 and shaded with shade(): `flat` at the centroid with the face normal;
 /// `gouraud` at the vertices; `quadratic` (paper `quadratic`, section 3) at the vertices and each edge_node(). \throws
-/// Error for `phong`.
+/// Error for a method whose colour is no polynomial.
 TriangleNodes shade_nodes(Method method, const Scene& scene, const ScreenTriangle& triangle);
 
 /// Red, green and blue through the nodes, over the triangle's snapped vertices, about `origin`.

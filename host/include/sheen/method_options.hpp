@@ -9,6 +9,7 @@ namespace sheen {
 
 /// Each method looks at its own part and ignores the rest.
 struct MethodOptions {
+    std::size_t log_channels = 3;           ///< `log-quadratic`: highlights with a channel of their own
     std::size_t taylor_table_bytes = 1024;  ///< `taylor`, `taylor-finite`: size of the exponent table
     double spherical_base = 2.0;            ///< `spherical`: exponent k of the bell cos^k that stands for cos^n
     bool spherical_minimax = false;         ///< `spherical`: `a` minimises the largest error, else it is the paper's

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Nodes of `log-quadratic`, and its formula per pixel in double precision.
+#include "sheen/log_quadratic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "sheen/hls/formats.hpp"
+#include "sheen/surface.hpp"
+
+namespace sheen {
+namespace {
+
+constexpr double full_scale = 255.0;
+constexpr double full_scale_log = 8.0;  ///< z of 2^0: a pixel's step
+constexpr double ln2 = 0.693147180559945309417;
+constexpr double tangent_exponent = 7.0;  ///< G at θ₀ unless 72° comes first
+constexpr double steepest_angle = 72.0;   ///< degrees
+constexpr double greatest_angle = 2.6;    ///< radians
+
+double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+/// −n·log₂ cos θ from sin²θ, which stays precise for the small angles of a large n.
+double log_cosine_power(double sine_squared, double shininess) {
+    return -0.5 * shininess * std::log1p(-sine_squared) / ln2;
+}
+
+/// Radians between two vectors, precise at 0 and π too.
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// θ: between the normal and the half vector (Blinn). Without a half vector, light and eye being opposite, there is no
+/// highlight.
+double highlight_angle(const Light& light, const SurfacePoint& point) {
+    const glm::dvec3 half = light.direction_from(point.position) + point.to_eye;
+    return glm::length(half) > 0.0 ? angle_between(point.normal, half) : greatest_angle;
+}
+
+/// The six points of a triangle at which it is shaded.
+std::array<SurfacePoint, 6> node_points(const Scene& scene, const ScreenTriangle& triangle) {
+    std::array<SurfacePoint, 6> points;
+    for (std::size_t k = 0; k < 3; ++k) {
+        points[k] = vertex_node(scene, triangle.vertices[k]);
+        points[3 + k] = edge_node(scene, triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+    }
+    return points;
+}
+
+/// The quadratic through six nodes, where the vertices have these weights.
+double quadratic_at(const std::array<double, 6>& nodes, const glm::dvec3& weights) {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        const double weight = weights[k];
+        sum += nodes[static_cast<std::size_t>(k)] * weight * (2.0 * weight - 1.0);
+        sum += nodes[static_cast<std::size_t>(3 + k)] * 4.0 * weight * weights[(k + 1) % 3];
+    }
+    return sum;
+}
+
+/// The lights that make a highlight: first those with a log channel, brightest first, then the others.
+struct Highlights {
+    std::vector<Light> logarithmic;
+    std::vector<Light> in_colour;
+};
+
+Highlights assign_channels(const MethodOptions& options, const Material& material, const std::vector<Light>& lights) {
+    Highlights result;
+    if (material.specular <= 0.0) return result;
+    std::copy_if(lights.begin(), lights.end(), std::back_inserter(result.logarithmic),
+                 [](const Light& light) { return largest(light.colour) > 0.0; });
+    std::stable_sort(result.logarithmic.begin(), result.logarithmic.end(),
+                     [](const Light& a, const Light& b) { return largest(a.colour) > largest(b.colour); });
+    if (result.logarithmic.size() > options.log_channels) {
+        const auto first_other = result.logarithmic.begin() + static_cast<std::ptrdiff_t>(options.log_channels);
+        result.in_colour.assign(first_other, result.logarithmic.end());
+        result.logarithmic.erase(first_other, result.logarithmic.end());
+    }
+    return result;
+}
+
+LogHighlight log_highlight(const Material& material, const Light& light, const std::array<SurfacePoint, 6>& points) {
+    const double brightest = largest(light.colour);
+    const double peak = full_scale_log - std::log2(full_scale * material.specular * brightest);
+    LogHighlight highlight;
+    highlight.tint = light.colour / brightest;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const double bell = log_bell(highlight_angle(light, points[k]), material.shininess);
+        highlight.z[k] = std::min(peak + bell, log_node_limit);
+    }
+    return highlight;
+}
+
+}  // namespace
+
+double log_bell(double angle, double shininess) {
+    const double sine_squared_of_seven = -std::expm1(-2.0 * ln2 * tangent_exponent / shininess);
+    const double start = std::min(std::asin(std::sqrt(sine_squared_of_seven)), glm::radians(steepest_angle));
+    const double sine = std::sin(std::min(angle, start));
+    const double bell = log_cosine_power(sine * sine, shininess);
+    if (angle <= start) return bell;
+    const double capped = std::min(angle, greatest_angle);
+    return bell + shininess / ln2 * std::tan(start) / (2.0 * start) * (capped * capped - start * start);
+}
+
+glm::dvec3 unclamped_diffuse(const Material& material, const std::vector<Light>& lights, const SurfacePoint& point) {
+    glm::dvec3 result(0.0);
+    for (int c = 0; c < 3; ++c) {
+        double lit = 0.0;
+        double least_dark = -full_scale;
+        bool reached = false;
+        for (const Light& light : lights) {
+            const double reflectance = full_scale * material.diffuse[c] * light.colour[c];
+            if (reflectance <= 0.0) continue;
+            const double radiance = reflectance * glm::dot(point.normal, light.direction_from(point.position));
+            lit += std::max(0.0, radiance);
+            least_dark = reached ? std::max(least_dark, radiance) : radiance;
+            reached = true;
+        }
+        result[c] = lit > 0.0 ? lit : reached ? least_dark : 0.0;
+    }
+    return result;
+}
+
+glm::dvec3 LogHighlight::colour(double interpolated_z) const {
+    return glm::min(std::exp2(full_scale_log - interpolated_z) * tint, glm::dvec3(std::exp2(full_scale_log)));
+}
+
+glm::dvec3 LogNodes::colour_at(const glm::dvec3& weights) const {
+    glm::dvec3 sum = glm::max(diffuse.colour_at(weights), glm::dvec3(0.0)) + ambient;
+    for (const LogHighlight& highlight : highlights) sum += highlight.colour(quadratic_at(highlight.z, weights));
+    return sum;
+}
+
+LogNodes shade_log_nodes(const MethodOptions& options, const Scene& scene, const ScreenTriangle& triangle) {
+    const std::array<SurfacePoint, 6> points = node_points(scene, triangle);
+    const Material& material = triangle.material;
+    const Highlights highlights = assign_channels(options, material, scene.lights);
+    Material mirror = material;
+    mirror.ambient = mirror.diffuse = glm::dvec3(0.0);
+
+    LogNodes nodes;
+    nodes.ambient = full_scale * material.ambient;
+    const glm::dvec3 limit(hls::colour_node_limit);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const glm::dvec3 diffuse = unclamped_diffuse(material, scene.lights, points[k]);
+        nodes.diffuse.colour[k] = glm::clamp(diffuse + shade(mirror, highlights.in_colour, points[k]), -limit, limit);
+    }
+    for (const Light& light : highlights.logarithmic) {
+        nodes.highlights.push_back(log_highlight(material, light, points));
+    }
+    return nodes;
+}
+
+}  // namespace sheen
