@@ -101,6 +101,14 @@ package sheen_pkg is
     tail    : coordinate_t;  -- message: {opcode, 00, code}
   end record fragment_t;
 
+  -- A word of a power table on its way into the bank that is not read.
+  type table_write_t is record
+    valid   : std_ulogic;
+    bank    : std_ulogic;
+    address : unsigned(10 downto 0);  -- of the word; as many bits as the table has
+    data    : word_t;                 -- four entries u8.0, the first in the low bits
+  end record table_write_t;
+
   constant span_width : positive := 3 * coordinate_bits + 4;
 
   function to_vector (span : span_t) return std_ulogic_vector;

@@ -15,6 +15,7 @@ from vunit import VUnit, VUnitCLI
 import units_boards
 import units_core_a
 import units_core_b
+import units_highlights
 import units_spherical
 
 BENCH = Path(__file__).resolve().parent
@@ -53,7 +54,7 @@ def main():
     bench = vunit.add_library("bench")
     bench.add_source_files(BENCH / "*.vhd")
 
-    for units in (units_spherical, units_core_a, units_core_b, units_boards):
+    for units in (units_spherical, units_core_a, units_core_b, units_highlights, units_boards):
         units.add_configs(bench, arguments.vectors, arguments.output_path)
     vunit.main(post_run=print_compared)
 

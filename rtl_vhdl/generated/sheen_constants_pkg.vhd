@@ -20,6 +20,7 @@ package sheen_constants_pkg is
   constant flag_depth_bit           : integer := 18;  -- a depth channel follows
   constant flag_log_channels_lsb    : integer := 19;  -- number of log channels
   constant flag_log_channels_bits   : integer := 2;
+  constant flag_tinted_bit          : integer := 16;  -- material: its tints count
   constant message_x                : integer := 4095;  -- x of a word that is no pixel
   constant message_fence            : integer := 0;  -- y of a fence echo
   constant message_error            : integer := 1;  -- y of an error word
@@ -44,6 +45,17 @@ package sheen_constants_pkg is
   constant log_fraction_bits        : integer := 24;
   constant depth_integer_bits       : integer := 16;  -- u16.16
   constant depth_fraction_bits      : integer := 16;
+  constant material_field_bits      : integer := 12;  -- material packet
+  constant material_fields          : integer := 13;  -- ambient 3, kinds, tints 9
+  constant material_words           : integer := 5;
+  constant ambient_fraction_bits    : integer := 4;  -- u8.4
+  constant tint_fraction_bits       : integer := 8;  -- u4.8
+  constant colour_sum_fraction_bits : integer := 2;  -- of diffuse + ambient + highlights
+  constant exp2_address_bits        : integer := 6;  -- table of exp2_rom
+  constant exp2_data_bits           : integer := 8;
+  constant power_address_bits       : integer := 10;  -- table of power_rom
+  constant power_integer_bits       : integer := 4;  -- its argument is 16*cos
+  constant power_words              : integer := 256;  -- of a table packet
   constant pixel_x_lsb              : integer := 0;  -- pixel word
   constant pixel_y_lsb              : integer := 12;
   constant pixel_depth_lsb          : integer := 24;

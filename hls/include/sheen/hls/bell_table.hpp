@@ -16,61 +16,9 @@
 #include <array>
 #include <cstdint>
 
+#include "sheen/hls/table_math.hpp"
+
 namespace sheen::hls {
-
-namespace bell_table_math {
-
-inline constexpr double half_pi = 1.57079632679489661923;
-
-/// cos x for 0 ≤ x ≤ π/2 by its series (error below 1e-15).
-constexpr double cosine(double x) {
-    double sum = 1.0;
-    double term = 1.0;
-    for (int k = 1; k <= 12; ++k) {
-        term *= -x * x / ((2 * k - 1) * (2 * k));
-        sum += term;
-    }
-    return sum;
-}
-
-/// ln x for 0 < x ≤ 1: x = m / 2^e with m near 1, then the series of the inverse hyperbolic tangent.
-constexpr double logarithm(double x) {
-    constexpr double ln_2 = 0.69314718055994530942;
-    int doublings = 0;
-    while (x < 0.75) {
-        x *= 2.0;
-        ++doublings;
-    }
-    const double u = (x - 1.0) / (x + 1.0);
-    double power = u;
-    double sum = u;
-    for (int k = 3; k <= 21; k += 2) {
-        power *= u * u;
-        sum += power / k;
-    }
-    return 2.0 * sum - doublings * ln_2;
-}
-
-/// e^y for y ≤ 0: the series of y / 2^k, squared k times.
-constexpr double exponential(double y) {
-    int halvings = 0;
-    while (y < -0.5) {
-        y *= 0.5;
-        ++halvings;
-    }
-    double sum = 1.0;
-    double term = 1.0;
-    for (int k = 1; k <= 14; ++k) {
-        term *= y / k;
-        sum += term;
-    }
-    for (; halvings > 0; --halvings) {
-        sum *= sum;
-    }
-    return sum;
-}
-
-}  // namespace bell_table_math
 
 template <int quadrant_bits>
 using bell_table_t = std::array<std::uint16_t, (1U << quadrant_bits)>;
@@ -83,9 +31,9 @@ constexpr bell_table_t<quadrant_bits> make_bell_table() {
     static_assert(exponent_tenths >= 10 && exponent_tenths <= 1000, "the base is cos to cos^100: 10 to 1000 tenths");
     bell_table_t<quadrant_bits> table{};
     for (std::size_t k = 0; k < table.size(); ++k) {
-        const double centre = (static_cast<double>(k) + 0.5) * bell_table_math::half_pi / (1 << quadrant_bits);
-        const double log_cosine = bell_table_math::logarithm(bell_table_math::cosine(centre));
-        const double value = bell_table_math::exponential(log_cosine * exponent_tenths / 10.0);
+        const double centre = (static_cast<double>(k) + 0.5) * table_math::half_pi / (1 << quadrant_bits);
+        const double log_cosine = table_math::logarithm(table_math::cosine(centre));
+        const double value = table_math::exponential(log_cosine * exponent_tenths / 10.0);
         const double exact = ((1 << data_bits) - 1) * value;
         const int below = static_cast<int>(exact);
         table[k] = static_cast<std::uint16_t>(exact - below < 0.5 ? below : below + 1);

@@ -36,6 +36,8 @@ inline constexpr int flag_linear_bit = 17;
 inline constexpr int flag_depth_bit = 18;
 inline constexpr int flag_log_channels_lsb = 19;
 inline constexpr int flag_log_channels_bits = 2;
+/// Material flag, as a header bit number: the packet's tints count.
+inline constexpr int flag_tinted_bit = 16;
 
 /// A word whose x equals this is a message, not a pixel; its y is the kind.
 inline constexpr int message_x = 4095;
@@ -80,6 +82,26 @@ inline constexpr int log_fraction_bits = word_bits - log_integer_bits;
 /// Depth: unsigned <32,16>.
 inline constexpr int depth_integer_bits = 16;
 inline constexpr int depth_fraction_bits = word_bits - depth_integer_bits;
+
+// ---- Highlights -----------------------------------------------------------------------------------------------
+/// A material packet: fields of 12 bits, contiguous from bit 0: ambient red, green, blue; the log channels' kinds;
+/// three tints a log channel.
+inline constexpr int material_field_bits = 12;
+inline constexpr int material_fields = 13;
+inline constexpr int material_words = 5;
+/// Ambient: unsigned <12,8>, in 8-bit steps, with the ½ of rounding folded in.
+inline constexpr int ambient_fraction_bits = 4;
+/// Tint: unsigned <12,4>, added to z.
+inline constexpr int tint_fraction_bits = 8;
+/// Fraction bits of the sum of diffuse, ambient and highlights, before it is cut to 8 bits.
+inline constexpr int colour_sum_fraction_bits = 2;
+/// The table of exp2_rom: one octave of 2^address_bits entries.
+inline constexpr int exp2_address_bits = 6;
+inline constexpr int exp2_data_bits = 8;
+/// The table of power_rom: 2^address_bits entries of 8 bits; the paper's 1 KB. Its argument is 16·cos.
+inline constexpr int power_address_bits = 10;
+inline constexpr int power_integer_bits = 4;
+inline constexpr int power_words = (1 << power_address_bits) / 4;
 
 // ---- Pixel word, from bit 0 up --------------------------------------------------------------------------------
 inline constexpr int pixel_x_lsb = 0;
