@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <iterator>
+#include <numeric>
 
 #include "sheen/hls/formats.hpp"
 #include "sheen/surface.hpp"
@@ -34,10 +36,12 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// θ: between the normal and the half vector (Blinn). Without a half vector, light and eye being opposite, there is no
-/// highlight.
-double highlight_angle(const Light& light, const SurfacePoint& point) {
-    const glm::dvec3 half = light.direction_from(point.position) + point.to_eye;
+/// θ: between the normal and the half vector (Blinn), or between the mirrored light and the eye (Phong). Without a half
+/// vector, light and eye being opposite, there is no highlight.
+double highlight_angle(Brdf brdf, const Light& light, const SurfacePoint& point) {
+    const glm::dvec3 to_light = light.direction_from(point.position);
+    if (brdf == Brdf::phong) return angle_between(glm::reflect(-to_light, point.normal), point.to_eye);
+    const glm::dvec3 half = to_light + point.to_eye;
     return glm::length(half) > 0.0 ? angle_between(point.normal, half) : greatest_angle;
 }
 
@@ -62,40 +66,68 @@ double quadratic_at(const std::array<double, 6>& nodes, const glm::dvec3& weight
     return sum;
 }
 
-/// The lights that make a highlight: first those with a log channel, brightest first, then the others.
+/// Who draws which light's highlight.
 struct Highlights {
-    std::vector<Light> logarithmic;
+    std::vector<std::vector<Light>> logarithmic;  ///< a log channel each: lights of one tint
     std::vector<Light> in_colour;
 };
+
+glm::dvec3 tint_of(const Light& light) { return light.colour / largest(light.colour); }
 
 Highlights assign_channels(const MethodOptions& options, const Material& material, const std::vector<Light>& lights) {
     Highlights result;
     if (material.specular <= 0.0) return result;
-    std::copy_if(lights.begin(), lights.end(), std::back_inserter(result.logarithmic),
+    std::vector<Light> bright;
+    std::copy_if(lights.begin(), lights.end(), std::back_inserter(bright),
                  [](const Light& light) { return largest(light.colour) > 0.0; });
-    std::stable_sort(result.logarithmic.begin(), result.logarithmic.end(),
+    std::stable_sort(bright.begin(), bright.end(),
                      [](const Light& a, const Light& b) { return largest(a.colour) > largest(b.colour); });
-    if (result.logarithmic.size() > options.log_channels) {
-        const auto first_other = result.logarithmic.begin() + static_cast<std::ptrdiff_t>(options.log_channels);
-        result.in_colour.assign(first_other, result.logarithmic.end());
-        result.logarithmic.erase(first_other, result.logarithmic.end());
+    for (const Light& light : bright) {
+        const auto same_tint = std::find_if(result.logarithmic.rbegin(), result.logarithmic.rend(),
+                                            [&](const auto& of) { return tint_of(of.front()) == tint_of(light); });
+        if (result.logarithmic.size() < options.log_channels) {
+            result.logarithmic.push_back({light});
+        } else if (same_tint != result.logarithmic.rend()) {
+            same_tint->push_back(light);
+        } else {
+            result.in_colour.push_back(light);
+        }
     }
     return result;
 }
 
-LogHighlight log_highlight(const Material& material, const Light& light, const std::array<SurfacePoint, 6>& points) {
-    const double brightest = largest(light.colour);
-    const double peak = full_scale_log - std::log2(full_scale * material.specular * brightest);
+/// The common highlight of lights of one tint: z = −log₂ Σ 2^(−zᵢ), which is near the brightest one's alone.
+LogHighlight log_highlight(const MethodOptions& options, const Material& material, const std::vector<Light>& lights,
+                           const std::array<SurfacePoint, 6>& points) {
     LogHighlight highlight;
-    highlight.tint = light.colour / brightest;
+    highlight.tint = tint_of(lights.front());
     for (std::size_t k = 0; k < points.size(); ++k) {
-        const double bell = log_bell(highlight_angle(light, points[k]), material.shininess);
-        highlight.z[k] = std::min(peak + bell, log_node_limit);
+        std::vector<double> z;
+        for (const Light& light : lights) {
+            const double bell = log_bell(highlight_angle(material.brdf, light, points[k]), material.shininess);
+            z.push_back(full_scale_log - std::log2(full_scale * material.specular * largest(light.colour)) + bell);
+            z.back() = std::min(z.back(), options.log_node_limit);
+        }
+        const double brightest = *std::min_element(z.begin(), z.end());
+        const double sum = std::accumulate(z.begin(), z.end(), 0.0, [brightest](double total, double each) {
+            return total + std::exp2(brightest - each);
+        });
+        highlight.z[k] = brightest - std::log2(sum);
     }
     return highlight;
 }
 
 }  // namespace
+
+std::optional<std::string> why_not_logarithmic(const Scene& scene) {
+    const auto fits = [](const Material& material) { return material.brdf != Brdf::cook_torrance; };
+    const std::vector<Material>& materials = scene.mesh.materials;
+    const bool expressible = scene.mesh.triangle_materials.empty()
+                                 ? fits(scene.material)
+                                 : std::all_of(materials.begin(), materials.end(), fits);
+    if (expressible) return std::nullopt;
+    return "log-quadratic draws powers of a cosine: give every material the model blinn or phong, or take quadratic";
+}
 
 double log_bell(double angle, double shininess) {
     const double sine_squared_of_seven = -std::expm1(-2.0 * ln2 * tangent_exponent / shininess);
@@ -150,8 +182,8 @@ LogNodes shade_log_nodes(const MethodOptions& options, const Scene& scene, const
         const glm::dvec3 diffuse = unclamped_diffuse(material, scene.lights, points[k]);
         nodes.diffuse.colour[k] = glm::clamp(diffuse + shade(mirror, highlights.in_colour, points[k]), -limit, limit);
     }
-    for (const Light& light : highlights.logarithmic) {
-        nodes.highlights.push_back(log_highlight(material, light, points));
+    for (const std::vector<Light>& of_one_tint : highlights.logarithmic) {
+        nodes.highlights.push_back(log_highlight(options, material, of_one_tint, points));
     }
     return nodes;
 }

@@ -9,7 +9,8 @@ namespace sheen {
 
 /// Each method looks at its own part and ignores the rest.
 struct MethodOptions {
-    std::size_t log_channels = 3;           ///< `log-quadratic`: highlights with a channel of their own
+    std::size_t log_channels = 3;           ///< `log-quadratic`: channels for highlights
+    double log_node_limit = 1e9;            ///< `log-quadratic`: greatest node of such a channel; 94 fits 8 bits
     std::size_t taylor_table_bytes = 1024;  ///< `taylor`, `taylor-finite`: size of the exponent table
     double spherical_base = 2.0;            ///< `spherical`: exponent k of the bell cos^k that stands for cos^n
     bool spherical_minimax = false;         ///< `spherical`: `a` minimises the largest error, else it is the paper's
