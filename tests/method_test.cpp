@@ -81,13 +81,15 @@ TEST(Method, NamesComeBackAndUnknownOnesAreAnsweredWithTheList) {
         names.insert(to_string(method));
         EXPECT_EQ(has_packets(method), method <= Method::quadratic);
     }
-    EXPECT_EQ(names, (std::set<std::string>{"flat", "gouraud", "quadratic", "log-quadratic", "phong"}));
+    EXPECT_EQ(names, (std::set<std::string>{"flat", "gouraud", "quadratic", "duff", "taylor", "taylor-finite",
+                                            "spherical", "recurrence", "log-quadratic", "phong"}));
     try {
         parse_method("Gouraud");
         ADD_FAILURE() << "accepted";
     } catch (const UsageError& error) {
         EXPECT_STREQ(error.what(),
-                     "unknown method 'Gouraud': expected one of flat, gouraud, quadratic, log-quadratic, phong");
+                     "unknown method 'Gouraud': expected one of flat, gouraud, quadratic, duff, taylor, taylor-finite, "
+                     "spherical, recurrence, log-quadratic, phong");
     }
 }
 

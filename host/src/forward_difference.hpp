@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "left_edge.hpp"
@@ -22,6 +23,10 @@ class ForwardDifference {
  public:
     /// `terms` about the point `origin` of the screen; those of an order above `order` (0, 1, 2) are not looked at.
     ForwardDifference(int order, const std::array<Value, 6>& terms, const SnappedPoint& origin,
+                      const std::vector<LeftEdge>& edges)
+        : ForwardDifference(order, terms, glm::dvec2(origin.x, origin.y) / subpixels, edges) {}
+    /// The same about a point in pixels.
+    ForwardDifference(int order, const std::array<Value, 6>& terms, const glm::dvec2& origin,
                       const std::vector<LeftEdge>& edges)
         : order_(order), second_(order > 1 ? terms[5] + terms[5] : Value(0.0)) {
         for (const LeftEdge& edge : edges) starts_.push_back(start(terms, origin, edge));
@@ -51,6 +56,8 @@ class ForwardDifference {
     }
 
  private:
+    static constexpr double subpixels = 1 << hls::subpixel_bits;
+
     /// The registers of contract 1 at a left edge's pixel: I, its steps D to the right and E to the next row, and the
     /// steps dD and dE of those down the edge.
     struct Registers {
@@ -58,14 +65,13 @@ class ForwardDifference {
         Value value{0.0}, right{0.0}, down{0.0}, right_down{0.0}, down_down{0.0};
     };
 
-    Registers start(const std::array<Value, 6>& t, const SnappedPoint& origin, const LeftEdge& edge) const {
+    Registers start(const std::array<Value, 6>& t, const glm::dvec2& origin, const LeftEdge& edge) const {
         Registers at;
         at.edge = edge;
         at.value = t[0];
         if (order_ == 0) return at;
-        constexpr double subpixels = 1 << hls::subpixel_bits;
-        const Real x = Real(edge.row.x + 0.5) - Real(static_cast<double>(origin.x) / subpixels);
-        const Real y = Real(edge.row.y + 0.5) - Real(static_cast<double>(origin.y) / subpixels);
+        const Real x = Real(edge.row.x + 0.5) - Real(origin.x);
+        const Real y = Real(edge.row.y + 0.5) - Real(origin.y);
         const Real kappa(edge.kappa);
         if (order_ == 1) {
             at.value = t[0] + t[1] * y + t[2] * x;

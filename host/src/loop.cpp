@@ -28,6 +28,11 @@ std::unique_ptr<Loop<Real>> make_loop(Method method, const MethodOptions& option
         case Method::gouraud:
         case Method::quadratic:
             return make_polynomial_loop<Real>(request);
+        case Method::duff:
+            return make_duff_loop<Real>(request);
+        case Method::taylor:
+        case Method::taylor_finite:
+            return make_taylor_loop<Real>(request);
         case Method::phong:
             return make_phong_loop<Real>(request);
         default:

@@ -21,6 +21,12 @@ struct LoopRequest {
 /// `flat`, `gouraud`, `quadratic`: forward differences.
 template <typename Real>
 std::unique_ptr<Loop<Real>> make_polynomial_loop(const LoopRequest& request);
+/// `duff`: numerators and squared length by forward differences.
+template <typename Real>
+std::unique_ptr<Loop<Real>> make_duff_loop(const LoopRequest& request);
+/// `taylor`, `taylor-finite`: series by forward differences, and the exponent table.
+template <typename Real>
+std::unique_ptr<Loop<Real>> make_taylor_loop(const LoopRequest& request);
 /// `phong`: the normal interpolated and normalised at each pixel, and the reflection model with it.
 template <typename Real>
 std::unique_ptr<Loop<Real>> make_phong_loop(const LoopRequest& request);

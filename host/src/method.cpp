@@ -31,8 +31,9 @@ std::array<double, count> component(const TriangleNodes& nodes, std::size_t inde
 }  // namespace
 
 const std::vector<Method>& all_methods() {
-    static const std::vector<Method> methods{Method::flat, Method::gouraud, Method::quadratic, Method::log_quadratic,
-                                             Method::phong};
+    static const std::vector<Method> methods{
+        Method::flat,          Method::gouraud,   Method::quadratic,  Method::duff,          Method::taylor,
+        Method::taylor_finite, Method::spherical, Method::recurrence, Method::log_quadratic, Method::phong};
     return methods;
 }
 
@@ -44,6 +45,16 @@ std::string to_string(Method method) {
             return "gouraud";
         case Method::quadratic:
             return "quadratic";
+        case Method::duff:
+            return "duff";
+        case Method::taylor:
+            return "taylor";
+        case Method::taylor_finite:
+            return "taylor-finite";
+        case Method::spherical:
+            return "spherical";
+        case Method::recurrence:
+            return "recurrence";
         case Method::log_quadratic:
             return "log-quadratic";
         case Method::phong:

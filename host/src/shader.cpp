@@ -5,8 +5,11 @@
 
 #include <utility>
 
+#include "fast_phong.hpp"
 #include "sheen/error.hpp"
 #include "sheen/log_quadratic.hpp"
+#include "sheen/recurrence.hpp"
+#include "sheen/spherical.hpp"
 
 namespace sheen {
 namespace {
@@ -50,7 +53,7 @@ class PhongShader : public Shader {
 
 }  // namespace
 
-std::optional<std::string> why_inexpressible(Method method, const Scene& /*scene*/) {
+std::optional<std::string> why_inexpressible(Method method, const Scene& scene) {
     switch (method) {
         case Method::flat:
         case Method::gouraud:
@@ -58,6 +61,15 @@ std::optional<std::string> why_inexpressible(Method method, const Scene& /*scene
         case Method::log_quadratic:
         case Method::phong:
             return std::nullopt;
+        case Method::spherical:
+            return why_not_spherical(scene);
+        case Method::recurrence:
+            return why_not_recurrent(scene);
+        case Method::duff:
+        case Method::taylor:
+            return why_not_infinite(method, scene);
+        case Method::taylor_finite:
+            return why_not_blinn(method, scene);
     }
     throw Error("method number " + std::to_string(static_cast<int>(method)) + " does not exist");
 }
@@ -70,6 +82,15 @@ std::unique_ptr<Shader> make_shader(Method method, const MethodOptions& options,
         case Method::gouraud:
         case Method::quadratic:
             return std::make_unique<NodeShader>(shade_nodes(method, scene, triangle));
+        case Method::duff:
+            return make_duff_shader(options, scene, triangle);
+        case Method::taylor:
+        case Method::taylor_finite:
+            return make_taylor_shader(method, options, scene, triangle);
+        case Method::spherical:
+            return make_spherical_shader(options, scene, triangle);
+        case Method::recurrence:
+            return make_recurrence_shader(options, scene, triangle);
         case Method::log_quadratic:
             return std::make_unique<LogShader>(shade_log_nodes(options, scene, triangle));
         case Method::phong:

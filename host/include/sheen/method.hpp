@@ -18,7 +18,7 @@
 
 namespace sheen {
 
-enum class Method { flat, gouraud, quadratic, log_quadratic, phong };
+enum class Method { flat, gouraud, quadratic, duff, taylor, taylor_finite, spherical, recurrence, log_quadratic, phong };
 
 /// All methods, in the order in which they are listed to a user.
 const std::vector<Method>& all_methods();
