@@ -58,9 +58,10 @@ std::optional<std::string> why_inexpressible(Method method, const Scene& scene) 
         case Method::flat:
         case Method::gouraud:
         case Method::quadratic:
-        case Method::log_quadratic:
         case Method::phong:
             return std::nullopt;
+        case Method::log_quadratic:
+            return why_not_logarithmic(scene);
         case Method::spherical:
             return why_not_spherical(scene);
         case Method::recurrence:
