@@ -1,145 +1,98 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Mesh files. Sheen checks the text itself, since assimp drops bad faces and takes garbage for numbers in silence;
-/// assimp then makes triangles of what was checked.
+/// Mesh files. Sheen checks them itself, since assimp trusts sizes and indices, drops bad faces and takes garbage for
+/// numbers in silence; assimp then makes triangles of what was checked, written anew.
+#include <assimp/BaseImporter.h>
+#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
-#include <cerrno>
-#include <cmath>
-#include <cstdio>
-#include <cstring>
+#include <cctype>
 #include <filesystem>
-#include <glm/geometric.hpp>
-#include <map>
-#include <memory>
-#include <system_error>
+#include <string_view>
+#include <utility>
 
+#include "gltf_check.hpp"
+#include "mesh_builder.hpp"
+#include "mesh_file.hpp"
 #include "obj_check.hpp"
+#include "plain_mesh.hpp"
+#include "ply_check.hpp"
 #include "sheen/error.hpp"
 #include "sheen/mesh.hpp"
+#include "statements.hpp"
+#include "stl_check.hpp"
 
 namespace sheen {
 namespace {
 
 constexpr std::string_view builtin_prefix = "builtin:";
-constexpr std::size_t max_file_size = std::size_t{1} << 30;
 
-std::string read_text(const std::string& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        throw Error(path + ": cannot read: it is a directory; give a Wavefront OBJ file");
-    }
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file) {
-        throw Error(path + ": cannot read: " + std::strerror(errno) + "; give a Wavefront OBJ file or a built-in mesh");
-    }
-    std::string text;
-    std::array<char, 1 << 16> buffer{};
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
-        text.append(buffer.data(), count);
-        if (text.size() > max_file_size) {
-            throw Error(path + ": the file is larger than 1 GiB, the most that Sheen reads");
-        }
-    }
-    if (std::ferror(file.get()) != 0) {
-        throw Error(path + ": cannot read: " + std::strerror(errno));
-    }
-    if (text.empty()) {
-        throw Error(path + ": the file is empty; give a Wavefront OBJ file");
-    }
-    return text;
-}
-
-glm::dvec3 to_dvec3(const aiVector3D& v) { return {v.x, v.y, v.z}; }
-
-/// The unit vector along `v`; zero where it has no direction.
-glm::dvec3 direction(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
-}
-
-/// Joins assimp's vertices, one per corner, where place and normal are equal; a missing normal is smoothed over all
-/// triangles at its place.
-class MeshBuilder {
- public:
-    void add(const aiMesh& source) {
-        for (unsigned face = 0; face < source.mNumFaces; ++face) {
-            const aiFace& corners = source.mFaces[face];
-            if (corners.mNumIndices != 3) {
-                continue;  // what is left of a polygon without area
-            }
-            std::array<std::uint32_t, 3> triangle{};
-            std::array<std::uint32_t, 3> places{};
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const unsigned index = corners.mIndices[corner];
-                places[corner] = place(to_dvec3(source.mVertices[index]));
-                triangle[corner] =
-                    vertex(places[corner],
-                           source.HasNormals() ? direction(to_dvec3(source.mNormals[index])) : glm::dvec3(0.0));
-            }
-            mesh_.triangles.push_back(triangle);
-            place_triangles_.push_back(places);
-        }
-    }
-
-    Mesh take(const std::string& name) {
-        const std::vector<glm::dvec3> smooth = smooth_normals(places_, place_triangles_);
-        for (std::size_t vertex = 0; vertex < mesh_.normals.size(); ++vertex) {
-            if (mesh_.normals[vertex] == glm::dvec3(0.0)) {
-                mesh_.normals[vertex] = smooth[vertex_places_[vertex]];
-            }
-        }
-        mesh_.name = name;
-        return std::move(mesh_);
-    }
-
- private:
-    std::uint32_t place(const glm::dvec3& position) {
-        const auto [entry, added] =
-            place_index_.try_emplace({position.x, position.y, position.z}, static_cast<std::uint32_t>(places_.size()));
-        if (added) {
-            places_.push_back(position);
-        }
-        return entry->second;
-    }
-
-    std::uint32_t vertex(std::uint32_t place, const glm::dvec3& normal) {
-        const auto [entry, added] = vertex_index_.try_emplace({place, {normal.x, normal.y, normal.z}},
-                                                              static_cast<std::uint32_t>(mesh_.positions.size()));
-        if (added) {
-            mesh_.positions.push_back(places_[place]);
-            mesh_.normals.push_back(normal);
-            vertex_places_.push_back(place);
-        }
-        return entry->second;
-    }
-
-    using Key = std::array<double, 3>;
-    Mesh mesh_;
-    std::vector<glm::dvec3> places_;
-    std::vector<std::array<std::uint32_t, 3>> place_triangles_;
-    std::vector<std::uint32_t> vertex_places_;
-    std::map<Key, std::uint32_t> place_index_;
-    std::map<std::pair<std::uint32_t, Key>, std::uint32_t> vertex_index_;
+/// A file format: its extension, what reads it, and how assimp calls it.
+struct Format {
+    std::string_view extension;
+    PlainMesh (*check)(const std::string& name, std::string_view bytes);
+    const char* hint;                ///< the plain mesh's extension
+    std::string_view importer;       ///< the name of assimp's importer
+    bool has_vertex_normals = true;  ///< false: assimp's are those of flat triangles
 };
 
-Mesh load_file(const std::string& path) {
-    const std::string plain = check_obj(path, read_text(path));
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFileFromMemory(plain.data(), plain.size(), aiProcess_Triangulate, "obj");
-    if (scene == nullptr) {
-        throw Error(path + ": cannot read as Wavefront OBJ: " + importer.GetErrorString());
+constexpr std::array<Format, 6> formats{{
+    {"", check_obj, "obj", "Wavefront Object Importer"},
+    {".obj", check_obj, "obj", "Wavefront Object Importer"},
+    {".ply", check_ply, "ply", "Stanford Polygon Library (PLY) Importer"},
+    {".stl", check_stl, "stl", "Stereolithography (STL) Importer", false},
+    {".gltf", check_gltf, "glb", "glTF2 Importer"},
+    {".glb", check_gltf, "glb", "glTF2 Importer"},
+}};
+
+const Format& format_of(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const Format& format : formats) {
+        if (format.extension == extension) {
+            return format;
+        }
     }
-    MeshBuilder builder;
-    for (unsigned index = 0; index < scene->mNumMeshes; ++index) {
-        builder.add(*scene->mMeshes[index]);
+    throw Error(
+        path + ": " + in_quotes(extension) +
+        " is no mesh format; Sheen reads .obj, .ply, .stl, .gltf and .glb, and files without an extension as OBJ");
+}
+
+/// Leaves only the importer of this name.
+void restrict_to(Assimp::Importer& importer, std::string_view name) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        if (importer.GetImporterInfo(i)->mName != name) {
+            Assimp::BaseImporter* other = importer.GetImporter(i);
+            importer.UnregisterLoader(other);
+            delete other;  // unregistering hands it over
+        }
+    }
+}
+
+Mesh load_file(const std::string& path) {
+    const Format& format = format_of(path);
+    PlainMesh plain = format.check(path, read_mesh_file(path));
+    Assimp::Importer importer;
+    restrict_to(importer, format.importer);
+    const aiScene* scene =
+        importer.ReadFileFromMemory(plain.bytes.data(), plain.bytes.size(), aiProcess_Triangulate, format.hint);
+    if (scene == nullptr) {
+        throw Error(path + ": cannot be read: " + importer.GetErrorString());
+    }
+    MeshBuilder builder(std::move(plain.materials), format.has_vertex_normals);
+    try {
+        builder.add(*scene);
+    } catch (const Error& error) {
+        throw Error(path + ": " + error.what());
     }
     Mesh mesh = builder.take(std::filesystem::path(path).filename().string());
     if (mesh.triangles.empty()) {
-        throw Error(path + ": the file has no triangles; at least one 'f' statement with area is needed");
+        throw Error(path + ": the file has no triangles; at least one face with area is needed");
     }
     return mesh;
 }

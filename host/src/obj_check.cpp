@@ -10,36 +10,26 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "obj_statements.hpp"
+#include "mtl_check.hpp"
 #include "sheen/error.hpp"
+#include "statements.hpp"
 
 namespace sheen {
 namespace {
 
-constexpr std::size_t min_corners = 3;
-constexpr std::size_t max_corners = 4096;  ///< triangulation takes quadratic time
-
 /// Statements of the OBJ specification that carry no triangles, and those that common exporters add.
-constexpr std::array<std::string_view, 42> ignored_statements{
-    "vp",       "cstype",   "deg",  "bmat",   "step",   "p",      "l",      "curv",       "curv2",     "surf",  "parm",
-    "trim",     "hole",     "scrv", "sp",     "end",    "con",    "g",      "s",          "mg",        "o",     "bevel",
-    "c_interp", "d_interp", "lod",  "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech",
-    "call",     "csh",      "bsp",  "bzp",    "cdc",    "cdp",    "res",    "vw",         "mtl"};
-
-/// A word as a message shows it: in quotes, short, ASCII.
-std::string quoted(std::string_view word) {
-    constexpr std::size_t longest = 40;
-    std::string shown(word.substr(0, longest));
-    std::replace_if(
-        shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return "'" + shown + (word.size() > longest ? "...'" : "'");
-}
+constexpr std::array<std::string_view, 40> ignored_statements{
+    "vp",    "cstype", "deg",      "bmat",     "step", "p",      "l",      "curv",       "curv2",     "surf",
+    "parm",  "trim",   "hole",     "scrv",     "sp",   "end",    "con",    "g",          "s",         "mg",
+    "o",     "bevel",  "c_interp", "d_interp", "lod",  "usemap", "maplib", "shadow_obj", "trace_obj", "ctech",
+    "stech", "call",   "csh",      "bsp",      "bzp",  "cdc",    "cdp",    "res",        "vw",        "mtl"};
 
 /// Number of v, vt and vn statements.
 struct Counts {
@@ -63,26 +53,32 @@ struct Counts {
 
 class Checker {
  public:
-    Checker(const std::string& name, std::string_view text) : name_(name), text_(text) {}
+    Checker(const std::string& name, std::string_view text) : name_(name), text_(text), library_(name) {}
 
-    std::string check() {
+    PlainMesh check() {
         std::vector<Word> words;
-        for (StatementReader reader(name_, text_); reader.next(words);) {
+        for (StatementReader reader = statements(); reader.next(words);) {
             total_.add(words[0].text);
+            if (words[0].text == "mtllib") {
+                library_.add(words);
+            }
         }
-        for (StatementReader reader(name_, text_); reader.next(words);) {
+        for (StatementReader reader = statements(); reader.next(words);) {
             statement(words);
         }
-        if (faces_ == 0) {
-            throw Error(name_ + ": the file has no triangles; at least one 'f' statement is needed");
-        }
-        return std::move(plain_);
+        return take();
     }
 
  private:
-    [[noreturn]] void fail(const Word& word, const std::string& problem) const {
-        throw Error(fmt::format("{}:{}: {} {}", name_, word.line, quoted(word.text), problem));
-    }
+    /// Faces of one material, as plain statements.
+    struct Group {
+        Material material;
+        std::string faces;
+    };
+
+    [[nodiscard]] StatementReader statements() const { return {name_, text_, "Wavefront OBJ text"}; }
+
+    [[noreturn]] void fail(const Word& word, const std::string& problem) const { fail_at(name_, word, problem); }
 
     void statement(const std::vector<Word>& words) {
         const std::string_view keyword = words[0].text;
@@ -93,28 +89,45 @@ class Checker {
             append_vector(words, true);
         } else if (keyword == "f" || keyword == "fo") {
             append_face(words);
-        } else if (keyword != "vt" && std::find(ignored_statements.begin(), ignored_statements.end(), keyword) ==
-                                          ignored_statements.end()) {
+        } else if (keyword == "usemtl") {
+            use_material(words);
+        } else if (keyword != "vt" && keyword != "mtllib" &&
+                   std::find(ignored_statements.begin(), ignored_statements.end(), keyword) ==
+                       ignored_statements.end()) {
             fail(words[0], "is no OBJ statement; Sheen reads Wavefront OBJ text files");
         }
     }
 
-    /// The value of a word; infinite where it is too large for single precision.
-    [[nodiscard]] double number(const Word& word) const {
-        std::string_view digits = word.text;
-        if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') {
-            digits.remove_prefix(1);
+    /// The plain file: vertices, then faces, material by material.
+    PlainMesh take() {
+        PlainMesh plain;
+        for (const Group& group : groups_) {
+            if (group.faces.empty()) {
+                continue;
+            }
+            if (has_materials_) {
+                fmt::format_to(std::back_inserter(plain_), "usemtl {}\n", plain.materials.size());
+                plain.materials.push_back(group.material);
+            }
+            plain_ += group.faces;
         }
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) {
-            fail(word, "is no number");
+        if (faces_ == 0) {
+            throw Error(name_ + ": the file has no triangles; at least one 'f' statement is needed");
         }
-        if (error == std::errc::result_out_of_range) {
-            value = std::strtod(std::string(digits).c_str(), nullptr);
+        plain.bytes = std::move(plain_);
+        return plain;
+    }
+
+    void use_material(const std::vector<Word>& words) {
+        const Material material = library_.find(words);
+        const auto [entry, added] = group_index_.try_emplace(joined_name(words), groups_.size());
+        if (added) {
+            if (groups_.size() > max_materials) {
+                fail(words[0], fmt::format("names one material more than {}, the most of a file", max_materials));
+            }
+            groups_.push_back({material, {}});
         }
-        constexpr double greatest = std::numeric_limits<float>::max();
-        return std::abs(value) > greatest ? std::copysign(std::numeric_limits<double>::infinity(), value) : value;
+        group_ = entry->second;
     }
 
     void append_vector(const std::vector<Word>& words, bool is_normal) {
@@ -124,7 +137,7 @@ class Checker {
         std::array<double, 3> values{};
         bool finite = true;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            values[axis] = number(words[axis + 1]);
+            values[axis] = to_number(name_, words[axis + 1]);
             if (!std::isfinite(values[axis])) {
                 finite = false;
                 if (!is_normal) {
@@ -144,16 +157,18 @@ class Checker {
         if (corners < min_corners || corners > max_corners) {
             fail(words[0], fmt::format("has {} corners; a face needs {} to {}", corners, min_corners, max_corners));
         }
-        plain_ += 'f';
+        std::string& faces = groups_[group_].faces;
+        faces += 'f';
         for (std::size_t corner = 1; corner <= corners; ++corner) {
-            append_corner(words[corner]);
+            append_corner(words[corner], faces);
         }
-        plain_ += '\n';
+        faces += '\n';
         ++faces_;
+        has_materials_ = has_materials_ || group_ != 0;
     }
 
     /// A corner is v, v/vt, v//vn or v/vt/vn.
-    void append_corner(const Word& word) {
+    void append_corner(const Word& word, std::string& faces) const {
         std::array<std::string_view, 3> fields{};
         std::string_view rest = word.text;
         for (std::size_t field = 0; field < fields.size(); ++field) {
@@ -171,9 +186,9 @@ class Checker {
         index(word, fields[1], "texture coordinates", seen_.texture_coordinates, total_.texture_coordinates);
         const auto normal = index(word, fields[2], "normals", seen_.normals, total_.normals);
         if (normal) {
-            fmt::format_to(std::back_inserter(plain_), " {}//{}", *vertex, *normal);
+            fmt::format_to(std::back_inserter(faces), " {}//{}", *vertex, *normal);
         } else {
-            fmt::format_to(std::back_inserter(plain_), " {}", *vertex);
+            fmt::format_to(std::back_inserter(faces), " {}", *vertex);
         }
     }
 
@@ -186,7 +201,7 @@ class Checker {
         std::int64_t value = 0;
         const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
         if (error == std::errc::invalid_argument || end != field.data() + field.size()) {
-            fail(word, "is no corner of a face; " + quoted(field) + " is no index");
+            fail(word, "is no corner of a face; " + in_quotes(field) + " is no index");
         }
         if (error == std::errc::result_out_of_range || value == 0 || value > total || value < -seen) {
             fail(word,
@@ -201,12 +216,17 @@ class Checker {
     std::string_view text_;
     Counts total_;
     Counts seen_;
+    MaterialLibrary library_;
+    std::vector<Group> groups_{1};  ///< the first: faces before any usemtl
+    std::map<std::string, std::size_t> group_index_;
+    std::size_t group_ = 0;
+    bool has_materials_ = false;
     std::size_t faces_ = 0;
     std::string plain_;
 };
 
 }  // namespace
 
-std::string check_obj(const std::string& name, std::string_view text) { return Checker(name, text).check(); }
+PlainMesh check_obj(const std::string& name, std::string_view text) { return Checker(name, text).check(); }
 
 }  // namespace sheen

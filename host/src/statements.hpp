@@ -1,90 +1,59 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The words of Wavefront OBJ text, statement by statement.
+/// Mesh files made of text: words, statement by statement, and what a message says of a wrong one.
 #pragma once
-
-#include <fmt/format.h>
 
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "sheen/error.hpp"
-
 namespace sheen {
 
 struct Word {
     std::string_view text;
-    std::size_t line = 0;
+    std::size_t line = 0;  ///< from 1
 };
 
-/// Splits text into statements, which are lines but for continued ones, and those into words.
+/// Splits text into statements, which are lines but for continued ones (a backslash before the line end), and those
+/// into words. A '#' at a word's start begins a comment; a byte order mark is skipped.
 class StatementReader {
  public:
-    StatementReader(const std::string& name, std::string_view text) : name_(name), text_(text) {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (text_.substr(0, byte_order_mark.size()) == byte_order_mark) {
-            text_.remove_prefix(byte_order_mark.size());
-        }
-    }
+    /// `name` is the file, `format` what it should be ("Wavefront OBJ text"); both must outlive the reader. The text
+    /// begins in line `first_line` of the file.
+    StatementReader(const std::string& name, std::string_view text, std::string_view format,
+                    std::size_t first_line = 1);
 
     /// Fills `words` with the next statement that has any. False at the end of the text.
-    bool next(std::vector<Word>& words) {
-        words.clear();
-        while (at_ < text_.size()) {
-            if (const std::size_t length = line_end(at_)) {
-                at_ += length;
-                ++line_;
-                if (!words.empty()) {
-                    return true;
-                }
-            } else if (text_[at_] == '\\' && line_end(at_ + 1) != 0) {
-                at_ += 1 + line_end(at_ + 1);
-                ++line_;
-            } else if (is_space(text_[at_])) {
-                ++at_;
-            } else if (text_[at_] == '#') {
-                skip([](char) { return true; });
-            } else {
-                const std::size_t start = at_;
-                skip([](char c) { return !is_space(c); });
-                words.push_back({text_.substr(start, at_ - start), line_});
-            }
-        }
-        return !words.empty();
-    }
+    /// \throws Error for a control character.
+    bool next(std::vector<Word>& words);
 
  private:
-    static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-
-    /// Length of the line end at `position`: 2 for CR LF, 1 for either alone, 0 for none.
-    [[nodiscard]] std::size_t line_end(std::size_t position) const {
-        if (text_.substr(position, 2) == "\r\n") {
-            return 2;
-        }
-        const bool found = position < text_.size() && (text_[position] == '\n' || text_[position] == '\r');
-        return found ? 1 : 0;
-    }
-
-    /// Moves past characters that belong, up to the line's end or its continuation mark.
+    [[nodiscard]] std::size_t line_end(std::size_t position) const;
     template <typename Belongs>
-    void skip(Belongs belongs) {
-        while (at_ < text_.size() && line_end(at_) == 0 && belongs(text_[at_]) &&
-               !(text_[at_] == '\\' && line_end(at_ + 1) != 0)) {
-            const auto byte = static_cast<unsigned char>(text_[at_]);
-            if (byte < ' ' && !is_space(text_[at_])) {
-                throw Error(fmt::format("{}:{}: byte 0x{:02x} is no text; Sheen reads Wavefront OBJ text files", name_,
-                                        line_, byte));
-            }
-            ++at_;
-        }
-    }
+    void skip(Belongs belongs);
 
     const std::string& name_;
     std::string_view text_;
+    std::string_view format_;
     std::size_t at_ = 0;
-    std::size_t line_ = 1;
+    std::size_t line_;
 };
+
+/// A word as a message shows it: in quotes, at most 40 characters, ASCII.
+std::string in_quotes(std::string_view word);
+
+/// \throws Error "name:line: 'word' problem".
+[[noreturn]] void fail_at(const std::string& name, const Word& word, const std::string& problem);
+
+/// The value of a decimal word; infinite where it is too large for single precision, NaN where it says so.
+/// \throws Error as fail_at where it is no number.
+double to_number(const std::string& name, const Word& word);
+
+/// A coordinate: finite and within single precision. \throws Error as fail_at.
+float to_coordinate(const std::string& name, const Word& word);
+
+/// The words from the second on, a space between them: a name that may hold spaces.
+std::string joined_name(const std::vector<Word>& words);
 
 }  // namespace sheen

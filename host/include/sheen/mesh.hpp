@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Triangle meshes: imported through assimp, or built in.
+/// Triangle meshes: from files, or built in.
 #pragma once
 
 #include <array>
@@ -30,7 +30,9 @@ struct BoundingSphere {
     double radius = 0.0;
 };
 
-/// Loads `source`: a file (OBJ), or one of builtin_mesh_names(). Files without normals get area-weighted smooth ones.
+/// Loads `source`: a file, or one of builtin_mesh_names(). The file's extension, in capitals or not, tells its format:
+/// .obj (or none) Wavefront OBJ, .ply, .stl, .gltf and .glb (glTF 2.0); docs/mesh-files.md says what is taken of each.
+/// Vertices without normals in the file get area-weighted smooth ones. `materials` is empty for a file that uses none.
 /// \throws Error naming the file and what is wrong (missing, unreadable, no triangles, a coordinate that is not
 ///         finite, an index out of range); UsageError for an unknown `builtin:` name.
 Mesh load_mesh(const std::string& source);
