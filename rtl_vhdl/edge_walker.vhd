@@ -13,6 +13,18 @@
 --       |               +- middle -+ | +--------------+
 --       +----------------- last row -+
 --
+-- Each phase accumulator is cut in two halves, so that no carry chain is longer than one. The lower half is a step
+-- ahead, its carry a register; its first step is made on the way into the registers:
+--
+--   clock        load (idle)     prime              first row
+--   lower half   P + step        + step             + step
+--   upper half   P               + step + carry     + step + carry
+--   carry                                           of the first row
+--
+-- While the walker is idle its registers take in whatever stands in geometry, so that none of them waits for the
+-- decision to load; the lower part follows from there in the clock after. What decides that a register moves is itself
+-- a register (long_moves, end_moves, length_moves).
+--
 -- Rows: u = s*x advances by kappa + carry; L += m + carry_end - carry_long; at the middle vertex L, m and the end
 -- edge's phase are reloaded. All fields are modulo 2**12; a row of length 0 gives no span.
 --
@@ -34,7 +46,7 @@ entity edge_walker is
     rst : in std_ulogic;
 
     job       : in job_t;
-    geometry  : in geometry_t;  -- stable from the clock before job.valid until the job is taken
+    geometry  : in geometry_t;  -- stable from the clock before job.valid to the clock after job_taken
     job_taken : out std_ulogic;
 
     room        : in std_ulogic;  -- the span queue takes a span
@@ -56,7 +68,8 @@ architecture rtl of edge_walker is
   signal prime : std_ulogic := '0';
   signal row   : std_ulogic := '0';
   signal carry : std_ulogic := '0';
-  signal skip  : std_ulogic := '0';
+  signal empty : std_ulogic := '0';  -- no row above the middle vertex: the lower part comes into preset
+  signal skip  : std_ulogic := '0';  -- and from there
 
   signal in_row : std_ulogic := '0';  -- in state row: this clock ends the row (the queue had room a clock ago)
 
@@ -66,75 +79,110 @@ architecture rtl of edge_walker is
   signal next_row      : std_ulogic;
   signal next_idle     : std_ulogic;
   signal triangle_ends : std_ulogic;
-  signal no_rows       : std_ulogic;
+  signal leaves_row    : std_ulogic;
   signal reload        : std_ulogic;
+  signal begins_part   : std_ulogic;  -- the part in preset, if a triangle is there at all
   signal carry_follows : std_ulogic;
+  signal push_row      : std_ulogic;
 
+  signal none_above    : std_ulogic;         -- geometry: no row above the middle vertex
+  signal none_below    : std_ulogic;
   signal free          : std_ulogic := '0';  -- idle, and the channels' constants are no longer needed
-  signal starts_below  : std_ulogic;         -- no row above the middle vertex, but some below it
   signal last_part     : std_ulogic;         -- past the middle vertex, or no row below it
   signal middle_row    : std_ulogic;         -- the last row above the middle vertex
   signal final_row     : std_ulogic;         -- the triangle's last row
   signal first         : std_ulogic;         -- the next span is the triangle's first
   signal first_pending : std_ulogic := '0';  -- the triangle's first span waits in the queue
 
+  -- A phase accumulator, skewed: the lower half is a step ahead of the upper one.
+  constant half_bits : positive := phase_bits / 2;
+
+  type edge_t is record
+    low   : unsigned(half_bits - 1 downto 0);
+    high  : unsigned(half_bits - 1 downto 0);
+    carry : std_ulogic;  -- of the lower half's last step, into the upper one's next
+    step  : phase_t;
+  end record edge_t;
+
+  -- An edge at its start.
+  function start_of (phase : phase_t; step : phase_t) return edge_t is
+    variable sum  : unsigned(half_bits downto 0);
+    variable edge : edge_t;
+  begin
+    sum        := ('0' & phase(half_bits - 1 downto 0)) + step(half_bits - 1 downto 0);
+    edge.low   := sum(half_bits - 1 downto 0);
+    edge.high  := phase(phase_bits - 1 downto half_bits);
+    edge.carry := sum(half_bits);
+    edge.step  := step;
+    return edge;
+  end function start_of;
+
+  signal long_low  : unsigned(half_bits downto 0);  -- sums of the halves, with their carries
+  signal long_high : unsigned(half_bits downto 0);
+  signal end_low   : unsigned(half_bits downto 0);
+  signal end_high  : unsigned(half_bits downto 0);
+
   -- One side of the middle vertex.
   type part_t is record
-    rows      : coordinate_t;
-    length    : coordinate_t;
-    m         : coordinate_t;
-    end_phase : phase_t;
-    end_step  : phase_t;
+    rows     : coordinate_t;
+    length   : coordinate_t;
+    m        : coordinate_t;
+    end_edge : edge_t;
   end record part_t;
 
-  signal part   : part_t;      -- the part being walked
-  signal preset : part_t;      -- the next one: the lower part, then the next triangle's upper part
+  signal part      : part_t;      -- the part being walked
+  signal preset    : part_t;      -- the next one: the lower part, then the next triangle's upper part
+  signal long_edge : edge_t;
 
-  signal begins_part : std_ulogic;
+  signal long_moves   : std_ulogic := '1';  -- the long edge is loaded or steps in this clock
+  signal end_moves    : std_ulogic := '1';  -- the same of the end edge
+  signal length_moves : std_ulogic := '1';  -- the same of the part's length
+  signal long_carry   : std_ulogic;
+  signal end_carry    : std_ulogic;
 
-  signal long_fresh  : std_ulogic;  -- the long phase was loaded and has given no carry yet
-  signal end_fresh   : std_ulogic;  -- the same of the end edge's phase
-  signal long_carry  : std_ulogic;
-  signal x_carry     : std_ulogic;  -- long_carry, inverted when leftward
-  signal end_carry   : std_ulogic;
-  signal long_phase  : phase_t;
-  signal long_step   : phase_t;
-
-  signal leftward      : std_ulogic;
-  signal x             : coordinate_t;
-  signal x_step        : coordinate_t;  -- kappa, inverted when leftward
-  signal y             : coordinate_t;
-  signal growth        : coordinate_t;  -- of the length in this clock: m, or -1 in a carry
-
-  signal push_row : std_ulogic;
+  signal leftward : std_ulogic;
+  signal x        : coordinate_t;  -- inverted when leftward
+  signal kappa    : coordinate_t;
+  signal y        : coordinate_t;
+  signal growth   : coordinate_t;  -- of the length in this clock: m, or -1 in a carry
+  signal grown    : unsigned(coordinate_bits downto 0);
 
 begin
 
   load      <= free and job.valid and not job.message;
   answer    <= idle and job.valid and job.message and room;
   job_taken <= load or answer;
-  no_rows   <= to_std_ulogic(geometry.rows_above = 0 and geometry.rows_below = 0);
 
   triangle_ends <= in_row and final_row;
   reload        <= (in_row and middle_row) or skip;
-  begins_part   <= load or reload;
+  begins_part   <= idle or reload;
   carry_follows <= in_row and long_carry and not final_row;
-  next_row      <= (row and not in_row) or (in_row and not (long_carry or middle_row or final_row)) or carry
-                   or (prime and not starts_below);
-  next_idle     <= (idle and not (load and not no_rows)) or triangle_ends;
+  leaves_row    <= in_row and (long_carry or middle_row or final_row);
+  next_row      <= (row and not leaves_row) or carry or prime;
+  next_idle     <= (idle and not (load and not (none_above and none_below))) or triangle_ends;
 
   push_row <= in_row and to_std_ulogic(part.length /= 0);
 
   control : process (clk) is
   begin
     if rising_edge(clk) then
+      none_above <= to_std_ulogic(geometry.rows_above = 0);
+      none_below <= to_std_ulogic(geometry.rows_below = 0);
+
       idle   <= next_idle;
       free   <= next_idle and not (first_pending or (in_row and first));
-      prime  <= (load and not no_rows) or skip or (in_row and middle_row and not long_carry);
-      skip   <= prime and starts_below;
+      prime  <= (load and not none_above) or skip or (in_row and middle_row and not long_carry);
+      empty  <= load and none_above and not none_below;
+      skip   <= empty;
       row    <= next_row;
       in_row <= next_row and room;
       carry  <= carry_follows;
+
+      -- The long edge steps in the first prime and with every row; the end edge once more in the clock after the middle
+      -- vertex; the length with every row and every carry but that in the clock after the middle vertex.
+      long_moves   <= idle or triangle_ends or (next_row and room);
+      end_moves    <= not ((next_row and not room) or (carry_follows and not middle_row));
+      length_moves <= not ((next_row and not room) or load or reload);
 
       if in_row then
         middle_row <= to_std_ulogic(part.rows = 2) and not last_part;
@@ -143,12 +191,10 @@ begin
         middle_row <= to_std_ulogic(part.rows = 1) and not last_part;
         final_row  <= to_std_ulogic(part.rows = 1) and last_part;
       end if;
-      if load then
-        starts_below <= to_std_ulogic(geometry.rows_above = 0);
-        last_part    <= to_std_ulogic(geometry.rows_below = 0);
+      if idle then
+        last_part <= none_below;
       elsif reload then
-        starts_below <= '0';
-        last_part    <= '1';
+        last_part <= '1';
       end if;
 
       if begins_part then
@@ -157,50 +203,59 @@ begin
         part.rows <= part.rows - 1;
       end if;
 
-      first         <= load or (first and not push_row);
+      first         <= idle or (first and not push_row);
       first_pending <= (first_pending or (push_row and first)) and not first_taken;
 
       if rst then
         idle          <= '1';
         prime         <= '0';
+        empty         <= '0';
         skip          <= '0';
         free          <= '0';
         row           <= '0';
         in_row        <= '0';
         carry         <= '0';
+        long_moves    <= '1';
+        end_moves     <= '1';
+        length_moves  <= '1';
         first_pending <= '0';
       end if;
     end if;
   end process control;
 
+  long_low  <= ('0' & long_edge.low) + long_edge.step(half_bits - 1 downto 0);
+  long_high <= add_with_carry(long_edge.high, long_edge.step(phase_bits - 1 downto half_bits), long_edge.carry);
+  end_low   <= ('0' & part.end_edge.low) + part.end_edge.step(half_bits - 1 downto 0);
+  end_high  <= add_with_carry(part.end_edge.high, part.end_edge.step(phase_bits - 1 downto half_bits),
+                              part.end_edge.carry);
+
   phases : process (clk) is
-    variable sum : unsigned(phase_bits downto 0);
   begin
     if rising_edge(clk) then
-      -- The long edge steps with every row, the end edge too but for the row that reloads it.
-      sum := ('0' & long_phase) + long_step;
-      if load then
-        long_phase <= geometry.long_phase;
-        long_step  <= geometry.long_step;
-        long_fresh <= '1';
-      elsif in_row or (prime and long_fresh) then
-        long_phase <= sum(phase_bits - 1 downto 0);
-        long_carry <= sum(phase_bits);
-        x_carry    <= sum(phase_bits) xor leftward;
-        long_fresh <= '0';
+      -- The carries are masked while idle: with a LUT before it, their register stands at the end of the carry chain.
+      if long_moves then
+        long_edge.low   <= long_low(half_bits - 1 downto 0);
+        long_edge.high  <= long_high(half_bits - 1 downto 0);
+        long_edge.carry <= long_low(half_bits);
+        long_carry      <= long_high(half_bits) and not idle;
+        if idle then
+          long_edge <= start_of(geometry.long_phase, geometry.long_step);
+        end if;
       end if;
 
-      sum := ('0' & part.end_phase) + part.end_step;
-      if begins_part then
-        part.end_phase <= preset.end_phase;
-        part.end_step  <= preset.end_step;
-        end_fresh      <= '1';
-      elsif in_row or prime or (carry and end_fresh) then
-        part.end_phase <= sum(phase_bits - 1 downto 0);
-        end_fresh      <= '0';
+      if end_moves then
+        part.end_edge.low   <= end_low(half_bits - 1 downto 0);
+        part.end_edge.high  <= end_high(half_bits - 1 downto 0);
+        part.end_edge.carry <= end_low(half_bits);
+        end_carry           <= end_high(half_bits) and not idle;
+        if begins_part then
+          part.end_edge.low   <= preset.end_edge.low;
+          part.end_edge.high  <= preset.end_edge.high;
+          part.end_edge.carry <= preset.end_edge.carry;
+        end if;
       end if;
-      if in_row or prime or (carry and end_fresh) then
-        end_carry <= sum(phase_bits);
+      if begins_part then
+        part.end_edge.step <= preset.end_edge.step;
       end if;
     end if;
   end process phases;
@@ -209,27 +264,30 @@ begin
   next_part : process (clk) is
   begin
     if rising_edge(clk) then
-      if load then
+      if prime or empty then
         preset <= (rows => geometry.rows_below, length => geometry.length_reload, m => geometry.m_below,
-                   end_phase => geometry.lower_phase, end_step => geometry.lower_step);
+                   end_edge => start_of(geometry.lower_phase, geometry.lower_step));
       elsif idle or last_part then
         preset <= (rows => geometry.rows_above, length => geometry.length, m => geometry.m,
-                   end_phase => geometry.upper_phase, end_step => geometry.upper_step);
+                   end_edge => start_of(geometry.upper_phase, geometry.upper_step));
       end if;
     end if;
   end process next_part;
 
+  -- The carry out of in_row + end_carry is their conjunction.
+  grown <= (part.length & in_row) + (growth & end_carry);
+
   position : process (clk) is
   begin
     if rising_edge(clk) then
-      if load then
-        x        <= geometry.x;
-        x_step   <= not geometry.kappa when job.leftward else geometry.kappa;
+      if idle then
+        x        <= not geometry.x when job.leftward else geometry.x;
+        kappa    <= geometry.kappa;
         y        <= geometry.y;
         leftward <= job.leftward;
       elsif in_row then
-        -- s * (kappa + carry): leftward -kappa - carry = not kappa + not carry.
-        x <= resize(add_with_carry(x, x_step, x_carry), coordinate_bits);
+        -- Leftward, not x + kappa + carry = not (x - kappa - carry).
+        x <= resize(add_with_carry(x, kappa, long_carry), coordinate_bits);
         y <= y + 1;
       end if;
 
@@ -239,10 +297,13 @@ begin
         growth <= (others => '1');
       end if;
       if begins_part then
-        part.length <= preset.length;
-        part.m      <= preset.m;
-      elsif in_row or (carry and not end_fresh) then
-        part.length <= resize(add_with_carry(part.length, growth, end_carry and in_row), coordinate_bits);
+        part.m <= preset.m;
+      end if;
+      if length_moves then
+        part.length <= grown(coordinate_bits downto 1);
+        if begins_part then
+          part.length <= preset.length;
+        end if;
       end if;
     end if;
   end process position;
@@ -254,7 +315,7 @@ begin
       push    <= push_row or answer;
       command <= (load => load, linear => job.linear, depth => job.depth,
                   step => in_row or carry, carry => carry);
-      if answer then
+      if idle then
         query         := to_std_ulogic(job.code = "00"
                                        and unsigned(job.header(31 downto header_opcode_lsb)) = opcode_query);
         span.x        <= unsigned(job.header(coordinate_bits - 1 downto 0));
@@ -270,6 +331,9 @@ begin
       else
         span <= (x => x, y => y, length => part.length, single => to_std_ulogic(part.length = 1),
                  leftward => leftward, first => first, message => '0');
+        if leftward then
+          span.x <= not x;
+        end if;
       end if;
       if rst then
         push         <= '0';

@@ -49,7 +49,8 @@ entity packet_decoder is
 
     job       : out job_t;
     job_taken : in std_ulogic;
-    words     : out word_vector_t(0 to register_count - 1)  -- geometry, phases, colour channels, depth
+    -- Geometry, phases, colour channels, depth; stable while a triangle's job is valid and for two clocks after.
+    words     : out word_vector_t(0 to register_count - 1)
   );
 
   attribute latency : integer;
@@ -224,7 +225,7 @@ begin
       if complete then
         pending <= '1';
       end if;
-      if payload_beat and beat_last then
+      if payload_beat then
         job.message  <= '0';
         job.leftward <= header(flag_leftward_bit);
         job.linear   <= header(flag_linear_bit);

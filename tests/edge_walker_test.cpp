@@ -51,13 +51,17 @@ class Bench {
  public:
     Bench(Rng& rng, Surroundings around) : rng_(rng), around_(around) {}
 
-    /// One clock with this job offered; true when it is taken.
-    bool clock(const hls::job_t& job, const hls::geometry_t& geometry) {
+    /// One clock with this job offered; true when it is taken. The geometry of the job before stands in the clock after
+    /// it was taken, as the decoder sees to.
+    bool clock(const hls::job_t& job, const hls::geometry_t& offered) {
+        const hls::geometry_t geometry = just_taken_ ? geometry_ : offered;
         const bit_t room = rng_() % 100 >= around_.no_room_percent;
         const bit_t first_taken = first_waits_ && rng_() % 100 >= around_.first_waits_percent;
         const bool taken = edge_walker::taken(state_, job, room) != 0;
         state_ = edge_walker::step(state_, job, geometry, room, first_taken);
         first_waits_ = (first_waits_ && !first_taken) || (state_.push & state_.span.first);
+        just_taken_ = taken;
+        geometry_ = geometry;
         if (state_.push) {
             const hls::span_t& s = state_.span;
             if (!s.message) {
@@ -71,6 +75,7 @@ class Bench {
 
     /// Offers the job until it is taken. As the decoder does, it has the geometry ready a clock before.
     void take(const hls::job_t& job, const hls::geometry_t& geometry) {
+        if (just_taken_) clock({}, geometry);
         clock({}, geometry);
         while (!clock(job, geometry)) {
         }
@@ -93,6 +98,8 @@ class Bench {
     Surroundings around_;
     edge_walker::state_t state_;
     bool first_waits_ = false;
+    bool just_taken_ = false;
+    hls::geometry_t geometry_;
     std::vector<Span> spans_;
     std::string order_;
 };

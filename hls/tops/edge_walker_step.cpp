@@ -37,8 +37,25 @@ coordinate_t field(const port_t& port, int index) { return port.slc<coordinate_b
 
 bit_t flag(const port_t& port, int index) { return port[static_cast<unsigned>(index)]; }
 
-edge_walker::part_t part_of(const port_t& rows, const port_t& end_edge) {
-    return {field(rows, 0), field(rows, 1), field(rows, 2), word(end_edge, 0), word(end_edge, 1)};
+/// A phase accumulator: its halves and its step; the carry between the halves comes with the flags.
+edge_walker::edge_t edge_of(const port_t& words, bit_t carry) {
+    edge_walker::edge_t edge;
+    edge.low = words.slc<edge_walker::half_bits>(0);
+    edge.high = words.slc<edge_walker::half_bits>(edge_walker::half_bits);
+    edge.carry = carry;
+    edge.step = word(words, 1);
+    return edge;
+}
+
+port_t words_of(const edge_walker::edge_t& edge) {
+    phase_t phase = 0;
+    phase.set_slc(0, edge.low);
+    phase.set_slc(edge_walker::half_bits, edge.high);
+    return pair(phase, edge.step);
+}
+
+edge_walker::part_t part_of(const port_t& rows, const edge_walker::edge_t& end_edge) {
+    return {field(rows, 0), field(rows, 1), field(rows, 2), end_edge};
 }
 
 edge_walker::state_t state_of(const port_t& flags, const port_t& position, const port_t& long_edge, const port_t& part,
@@ -47,25 +64,25 @@ edge_walker::state_t state_of(const port_t& flags, const port_t& position, const
     s.walk = flags.slc<3>(0);
     s.in_row = flag(flags, 3);
     s.free = flag(flags, 4);
-    s.starts_below = flag(flags, 5);
     s.last_part = flag(flags, 6);
     s.middle_row = flag(flags, 7);
     s.final_row = flag(flags, 8);
-    s.long_fresh = flag(flags, 9);
-    s.end_fresh = flag(flags, 10);
+    s.long_moves = flag(flags, 9);
+    s.end_moves = flag(flags, 10);
     s.first = flag(flags, 11);
     s.first_pending = flag(flags, 12);
     s.leftward = flag(flags, 13);
     s.long_carry = flag(flags, 14);
     s.end_carry = flag(flags, 15);
+    s.none_above = flag(flags, 19);
+    s.none_below = flag(flags, 20);
     s.x = field(position, 0);
     s.y = field(position, 1);
-    s.x_step = field(position, 2);
+    s.kappa = field(position, 2);
     s.growth = field(position, 3);
-    s.part = part_of(part, end_edge);
-    s.preset = part_of(preset, preset_edge);
-    s.long_phase = word(long_edge, 0);
-    s.long_step = word(long_edge, 1);
+    s.part = part_of(part, edge_of(end_edge, flag(flags, 16)));
+    s.preset = part_of(preset, edge_of(preset_edge, flag(flags, 17)));
+    s.long_edge = edge_of(long_edge, flag(flags, 18));
     return s;
 }
 
@@ -74,17 +91,21 @@ port_t flags_of(const edge_walker::state_t& s) {
     flags.set_slc(0, s.walk);
     flags.set_slc(3, s.in_row);
     flags.set_slc(4, s.free);
-    flags.set_slc(5, s.starts_below);
     flags.set_slc(6, s.last_part);
     flags.set_slc(7, s.middle_row);
     flags.set_slc(8, s.final_row);
-    flags.set_slc(9, s.long_fresh);
-    flags.set_slc(10, s.end_fresh);
+    flags.set_slc(9, s.long_moves);
+    flags.set_slc(10, s.end_moves);
     flags.set_slc(11, s.first);
     flags.set_slc(12, s.first_pending);
     flags.set_slc(13, s.leftward);
     flags.set_slc(14, s.long_carry);
     flags.set_slc(15, s.end_carry);
+    flags.set_slc(16, s.part.end_edge.carry);
+    flags.set_slc(17, s.preset.end_edge.carry);
+    flags.set_slc(18, s.long_edge.carry);
+    flags.set_slc(19, s.none_above);
+    flags.set_slc(20, s.none_below);
     return flags;
 }
 
@@ -155,11 +176,11 @@ extern "C" void edge_walker_step(std::uint64_t flags, std::uint64_t position, st
     const edge_walker::state_t next = edge_walker::step(state, job, geometry, room, first_taken);
     const coordinate_t none = 0;
     *next_flags = flags_of(next).to_uint64();
-    *next_position = fields(next.x, next.y, next.x_step, next.growth, none).to_uint64();
-    *next_long_edge = pair(next.long_phase, next.long_step).to_uint64();
+    *next_position = fields(next.x, next.y, next.kappa, next.growth, none).to_uint64();
+    *next_long_edge = words_of(next.long_edge).to_uint64();
     *next_part = fields(next.part.rows, next.part.length, next.part.m, none, none).to_uint64();
-    *next_end_edge = pair(next.part.end_phase, next.part.end_step).to_uint64();
+    *next_end_edge = words_of(next.part.end_edge).to_uint64();
     *next_preset = fields(next.preset.rows, next.preset.length, next.preset.m, none, none).to_uint64();
-    *next_preset_edge = pair(next.preset.end_phase, next.preset.end_step).to_uint64();
+    *next_preset_edge = words_of(next.preset.end_edge).to_uint64();
     *outputs = outputs_of(next).to_uint64();
 }

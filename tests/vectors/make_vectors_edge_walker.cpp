@@ -3,8 +3,9 @@
 /// make_vectors_edge_walker OUTDIR [seed] [count]: vectors of tb_edge_walker, from the kernel.
 ///
 /// A vector is one clock: the inputs, and the outputs that stand in that clock. Jobs are triangles of many shapes,
-/// arbitrary fields (parts without rows among them) and messages; each stays until it is taken. With stall_percent,
-/// that share of clocks has no room, no new job, and leaves a waiting first span in its queue.
+/// arbitrary fields (parts without rows among them) and messages; each stays until it is taken, its geometry a clock
+/// longer. With stall_percent, that share of clocks has no room, no new job, and leaves a waiting first span in its
+/// queue.
 #include "../support/kernel_records.hpp"
 #include "sheen/hls/edge_walker.hpp"
 #include "vector_file.hpp"
@@ -65,8 +66,9 @@ void write(const VectorOptions& options, unsigned stall_percent) {
     edge_walker::state_t state;
     Job offered = random_job(rng);
     bool first_waits = false;
+    bool just_taken = false;
     for (int clock = 0; clock < options.count; ++clock) {
-        if (!offered.job.valid) {
+        if (!offered.job.valid && !just_taken) {
             offered = random_job(rng);
             offered.job.valid = !stalls();
         }
@@ -80,6 +82,7 @@ void write(const VectorOptions& options, unsigned stall_percent) {
         state = edge_walker::step(state, offered.job, offered.geometry, room, first_taken);
         first_waits = (first_waits && !first_taken) || (state.push & state.span.first);
         if (taken) offered.job.valid = 0;
+        just_taken = taken != 0;
     }
     file.close();
 }

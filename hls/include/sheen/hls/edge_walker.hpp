@@ -8,6 +8,10 @@
 /// needed; that costs one clock (state `prime`) per triangle, and one at the middle vertex unless a carry step fills
 /// it.
 ///
+/// Each phase accumulator is cut in two halves, so that no carry chain is longer than one: the lower half is a step
+/// ahead of the upper one and hands its carry on through a register. Its first step is made on the way into the
+/// registers.
+///
 /// Rows: u = s·x advances by κ + carry; L += m + carry_end − carry_long; at the middle vertex L, m and the end edge's
 /// phase are reloaded. All fields are modulo 2^12; a row of length 0 gives no span.
 ///
@@ -20,31 +24,46 @@
 namespace sheen::hls {
 
 struct edge_walker {
-    enum walk_state { idle, prime, row, carry, skip };
+    /// An upper part without rows: the lower one comes into preset (`empty`) and from there (`skip`).
+    enum walk_state { idle, prime, row, carry, empty, skip };
     using walk_state_t = ac_int<3, false>;
+
+    static constexpr int half_bits = phase_bits / 2;
+    using half_t = ac_int<half_bits, false>;
+    using half_sum_t = ac_int<half_bits + 1, false>;
+
+    /// A phase accumulator, skewed: the lower half is a step ahead of the upper one.
+    struct edge_t {
+        half_t low = 0, high = 0;
+        bit_t carry = 0;  ///< of the lower half's last step, into the upper one's next
+        phase_t step = 0;
+    };
 
     /// One side of the middle vertex.
     struct part_t {
         coordinate_t rows = 0, length = 0, m = 0;
-        phase_t end_phase = 0, end_step = 0;
+        edge_t end_edge;
     };
 
     struct state_t {
         walk_state_t walk = idle;
         bit_t in_row = 0;         ///< in state row: this clock ends the row (the queue had room a clock ago)
         bit_t free = 0;           ///< idle, and the channels' constants are no longer needed
-        bit_t starts_below = 0;   ///< no row above the middle vertex, but some below it
         bit_t last_part = 0;      ///< past the middle vertex, or no row below it
         bit_t middle_row = 0;     ///< the last row above the middle vertex
         bit_t final_row = 0;      ///< the triangle's last row
-        bit_t long_fresh = 0;     ///< the long phase was loaded and has given no carry yet
-        bit_t end_fresh = 0;      ///< the same of the end edge's phase
+        bit_t long_moves = 1;     ///< the long edge is loaded or steps in this clock
+        bit_t end_moves = 1;      ///< the same of the end edge
+        bit_t length_moves = 1;   ///< the same of the part's length
         bit_t first = 0;          ///< the next span is the triangle's first
         bit_t first_pending = 0;  ///< the triangle's first span waits in the queue
         bit_t leftward = 0;
         bit_t long_carry = 0, end_carry = 0;
-        coordinate_t x = 0, y = 0, x_step = 0;
-        phase_t long_phase = 0, long_step = 0;
+        bit_t none_above = 0;  ///< geometry, a clock ago: no row above the middle vertex
+        bit_t none_below = 0;
+        coordinate_t x = 0;  ///< inverted when leftward
+        coordinate_t y = 0, kappa = 0;
+        edge_t long_edge;
         coordinate_t growth = 0;  ///< of the length in this clock: m, or −1 in a carry
         part_t part;              ///< the part being walked
         part_t preset;            ///< the next one: the lower part, then the next triangle's upper part
@@ -59,7 +78,7 @@ struct edge_walker {
         return job.valid & select(job.message, bit_t(bit_t(state.walk == idle) & room), state.free);
     }
 
-    /// \param geometry stable from the clock before job.valid until the job is taken
+    /// \param geometry stable from the clock before job.valid to the clock after the job is taken
     /// \param first_taken the span walker starts a triangle's first span in this clock
     static state_t step(const state_t& state, const job_t& job, const geometry_t& geometry, bit_t room,
                         bit_t first_taken) {
@@ -67,73 +86,76 @@ struct edge_walker {
         const bit_t take = taken(state, job, room);
         const bit_t load = take & ~job.message;
         const bit_t answer = take & job.message;
+        const bit_t idling = bit_t(state.walk == idle);
         const bit_t priming = bit_t(state.walk == prime);
+        const bit_t emptying = bit_t(state.walk == empty);
         const bit_t in_row = state.in_row;
         const bit_t carrying = bit_t(state.walk == carry);
         const bit_t triangle_ends = in_row & state.final_row;
         const bit_t reload = (in_row & state.middle_row) | bit_t(state.walk == skip);
 
         // Control. A triangle without rows above its middle vertex skips its upper part, and may have no row at all.
-        const bit_t no_rows = bit_t(geometry.rows_above == 0) & bit_t(geometry.rows_below == 0);
+        next.none_above = bit_t(geometry.rows_above == 0);
+        next.none_below = bit_t(geometry.rows_below == 0);
         const walk_state_t after_row =
             select(state.long_carry, walk_state_t(carry), select(reload, walk_state_t(prime), walk_state_t(row)));
-        const walk_state_t after_prime = select(state.starts_below, walk_state_t(skip), walk_state_t(row));
+        const walk_state_t after_load = select(state.none_above, walk_state_t(empty), walk_state_t(prime));
         next.walk = select(in_row, select(triangle_ends, walk_state_t(idle), after_row), next.walk);
-        next.walk = select(priming, after_prime, next.walk);
-        next.walk = select(carrying, walk_state_t(row), next.walk);
+        next.walk = select(priming | carrying, walk_state_t(row), next.walk);
+        next.walk = select(emptying, walk_state_t(skip), next.walk);
         next.walk = select(bit_t(state.walk == skip), walk_state_t(prime), next.walk);
-        next.walk = select(load & ~no_rows, walk_state_t(prime), next.walk);
+        next.walk = select(load & ~(state.none_above & state.none_below), after_load, next.walk);
         next.free = bit_t(next.walk == idle) & ~(state.first_pending | (in_row & state.first));
         next.in_row = bit_t(next.walk == row) & room;
-        next.starts_below = select(load, bit_t(geometry.rows_above == 0), bit_t(state.starts_below & ~reload));
-        next.last_part = select(load, bit_t(geometry.rows_below == 0), bit_t(state.last_part | reload));
+        next.last_part = select(idling, state.none_below, bit_t(state.last_part | reload));
         const bit_t last_row = select(in_row, bit_t(state.part.rows == 2), bit_t(state.part.rows == 1));
         next.middle_row = last_row & ~state.last_part;
         next.final_row = last_row & state.last_part;
 
-        // A triangle begins with the part that waits in preset, and so does what follows the middle vertex.
-        const bit_t begins_part = load | reload;
-        const bit_t preset_free = bit_t(state.walk == idle) | state.last_part;
-        next.preset =
-            select_part(load, lower_part(geometry), select_part(preset_free, upper_part(geometry), state.preset));
+        // A triangle begins with the part that waits in preset, and so does what follows the middle vertex. While the
+        // walker is idle it gets ready for the triangle that may come in this clock: no register waits for `load`.
+        const bit_t begins_part = idling | reload;
+        next.preset = select_part(priming | emptying, lower_part(geometry),
+                                  select_part(idling | state.last_part, upper_part(geometry), state.preset));
         next.part.rows = select(begins_part, state.preset.rows, coordinate_t(state.part.rows - in_row));
         next.part.m = select(begins_part, state.preset.m, state.part.m);
 
         // Phases, a row ahead: a carry is ready when its row ends.
-        const bit_t long_steps = in_row | (priming & state.long_fresh);
-        const bit_t end_steps = in_row | priming | (carrying & state.end_fresh);
-        const ac_int<phase_bits + 1, false> long_sum = state.long_phase + state.long_step;
-        const ac_int<phase_bits + 1, false> end_sum = state.part.end_phase + state.part.end_step;
-        next.long_phase = select(load, geometry.long_phase, select(long_steps, phase_t(long_sum), state.long_phase));
-        next.long_step = select(load, geometry.long_step, state.long_step);
-        next.long_carry = select(long_steps, bit_t(long_sum[phase_bits]), state.long_carry);
-        next.long_fresh = load | (state.long_fresh & ~priming);
-        next.part.end_phase =
-            select(begins_part, state.preset.end_phase, select(end_steps, phase_t(end_sum), state.part.end_phase));
-        next.part.end_step = select(begins_part, state.preset.end_step, state.part.end_step);
-        next.end_carry = select(end_steps, bit_t(end_sum[phase_bits]), state.end_carry);
-        next.end_fresh = load | reload | (state.end_fresh & ~(priming | carrying));
+        const edge_t long_next =
+            select_edge(idling, start_of(geometry.long_phase, geometry.long_step), stepped(state.long_edge));
+        next.long_edge = select_edge(state.long_moves, long_next, state.long_edge);
+        next.long_carry = select(state.long_moves, bit_t(carry_of(state.long_edge) & ~idling), state.long_carry);
+        const edge_t end_next = select_edge(begins_part, state.preset.end_edge, stepped(state.part.end_edge));
+        next.part.end_edge = select_edge(state.end_moves, end_next, state.part.end_edge);
+        next.end_carry = select(state.end_moves, bit_t(carry_of(state.part.end_edge) & ~idling), state.end_carry);
 
-        // Position: s·(κ + carry); leftward −κ − carry = not κ + not carry.
-        const bit_t x_carry = state.long_carry ^ state.leftward;
-        next.x = select(in_row, coordinate_t(state.x + state.x_step + x_carry), state.x);
-        next.x = select(load, geometry.x, next.x);
-        next.x_step = select(load, select(job.leftward, coordinate_t(~geometry.kappa), geometry.kappa), state.x_step);
-        next.y = select(load, geometry.y, coordinate_t(state.y + in_row));
-        next.leftward = select(load, job.leftward, state.leftward);
+        // The long edge steps in the first prime and with every row; the end edge once more in the clock after the
+        // middle vertex; the length with every row and every carry but that in the clock after the middle vertex.
+        const bit_t waits = bit_t(next.walk == row) & ~room;
+        const bit_t carries_on = bit_t(next.walk == carry) & ~state.middle_row;
+        next.long_moves = idling | triangle_ends | next.in_row;
+        next.end_moves = ~(waits | carries_on);
+        next.length_moves = ~(waits | load | reload);
+
+        // Position: x + s·(κ + carry); leftward, not x + κ + carry = not (x − κ − carry).
+        next.x = select(in_row, coordinate_t(state.x + state.kappa + state.long_carry), state.x);
+        next.x = select(idling, inverted(job.leftward, geometry.x), next.x);
+        next.kappa = select(idling, geometry.kappa, state.kappa);
+        next.y = select(idling, geometry.y, coordinate_t(state.y + in_row));
+        next.leftward = select(idling, job.leftward, state.leftward);
 
         // Length: m + carry_end with the row, −1 with a carry; a part begins with its own, which has had its carry.
-        const bit_t length_steps = in_row | (carrying & ~state.end_fresh);
         const coordinate_t grown = state.part.length + state.growth + (state.end_carry & in_row);
-        next.part.length = select(begins_part, state.preset.length, select(length_steps, grown, state.part.length));
+        next.part.length =
+            select(state.length_moves, select(begins_part, state.preset.length, grown), state.part.length);
         next.growth = select(bit_t(next.walk == carry), coordinate_t(-1), state.part.m);
 
         // Outputs: the span of this row, and what the channels do meanwhile.
         const bit_t push_row = in_row & bit_t(state.part.length != 0);
         next.push = push_row | answer;
-        next.first = load | (state.first & ~push_row);
+        next.first = idling | (state.first & ~push_row);
         next.first_pending = (state.first_pending | (push_row & state.first)) & ~first_taken;
-        next.span = select_span(job.message & answer, message_span(job), row_span(state));
+        next.span = select_span(idling, message_span(job), row_span(state));
         next.command.load = load;
         next.command.linear = job.linear;
         next.command.depth = job.depth;
@@ -143,18 +165,47 @@ struct edge_walker {
     }
 
  private:
-    static part_t upper_part(const geometry_t& g) { return {g.rows_above, g.length, g.m, g.upper_phase, g.upper_step}; }
+    /// An edge at its start, with the lower half's first step.
+    static edge_t start_of(const phase_t& phase, const phase_t& step) {
+        const half_sum_t low = low_sum(phase.slc<half_bits>(0), step);
+        return {half_t(low), phase.slc<half_bits>(half_bits), bit_t(low[half_bits]), step};
+    }
+
+    /// The lower half takes step n + 1, the upper half step n.
+    static edge_t stepped(const edge_t& edge) {
+        const half_sum_t low = low_sum(edge.low, edge.step);
+        return {half_t(low), half_t(high_sum(edge)), bit_t(low[half_bits]), edge.step};
+    }
+
+    /// The carry out of the whole phase in the upper half's step.
+    static bit_t carry_of(const edge_t& edge) { return high_sum(edge)[half_bits]; }
+
+    static half_sum_t low_sum(const half_t& low, const phase_t& step) { return low + step.slc<half_bits>(0); }
+    static half_sum_t high_sum(const edge_t& edge) {
+        return edge.high + edge.step.slc<half_bits>(half_bits) + edge.carry;
+    }
+
+    static edge_t select_edge(bit_t choose, const edge_t& a, const edge_t& b) {
+        return {select(choose, a.low, b.low), select(choose, a.high, b.high), select(choose, a.carry, b.carry),
+                select(choose, a.step, b.step)};
+    }
+
+    static part_t upper_part(const geometry_t& g) {
+        return {g.rows_above, g.length, g.m, start_of(g.upper_phase, g.upper_step)};
+    }
     static part_t lower_part(const geometry_t& g) {
-        return {g.rows_below, g.length_reload, g.m_below, g.lower_phase, g.lower_step};
+        return {g.rows_below, g.length_reload, g.m_below, start_of(g.lower_phase, g.lower_step)};
     }
     static part_t select_part(bit_t choose, const part_t& a, const part_t& b) {
         return {select(choose, a.rows, b.rows), select(choose, a.length, b.length), select(choose, a.m, b.m),
-                select(choose, a.end_phase, b.end_phase), select(choose, a.end_step, b.end_step)};
+                select_edge(choose, a.end_edge, b.end_edge)};
     }
+
+    static coordinate_t inverted(bit_t invert, const coordinate_t& x) { return select(invert, coordinate_t(~x), x); }
 
     static span_t row_span(const state_t& state) {
         span_t span;
-        span.x = state.x;
+        span.x = inverted(state.leftward, state.x);
         span.y = state.y;
         span.length = state.part.length;
         span.single = bit_t(state.part.length == 1);

@@ -116,17 +116,16 @@ struct packet_decoder {
                                  ac_int<beat_index_bits, false>(state.beat_index + payload_beat));
         next.verdict = judge(state, header_beat, accept);
 
-        const bit_t ends = payload_beat & beat.last;
         next.job.valid = (state.job.valid & ~taken) | complete | emit;
-        next.job.message = select(emit, bit_t(1), select(ends, bit_t(0), state.job.message));
+        next.job.message = select(emit, bit_t(1), select(payload_beat, bit_t(0), state.job.message));
         const ac_int<2, false> framing_code =
             select(state.broken, ac_int<2, false>(error_bad_length), ac_int<2, false>(0));
         next.job.code =
             select(emit, select(bit_t(state.verdict.code == 0), framing_code, state.verdict.code), state.job.code);
         next.job.header = select(emit, state.header, state.job.header);
-        next.job.leftward = select(ends, bit_t(state.header[flag_leftward_bit]), state.job.leftward);
-        next.job.linear = select(ends, bit_t(state.header[flag_linear_bit]), state.job.linear);
-        next.job.depth = select(ends, bit_t(state.header[flag_depth_bit]), state.job.depth);
+        next.job.leftward = select(payload_beat, bit_t(state.header[flag_leftward_bit]), state.job.leftward);
+        next.job.linear = select(payload_beat, bit_t(state.header[flag_linear_bit]), state.job.linear);
+        next.job.depth = select(payload_beat, bit_t(state.header[flag_depth_bit]), state.job.depth);
 
         hold(next, beat, header_beat, std::make_index_sequence<words_per_beat>{});
         next.write = beat;
