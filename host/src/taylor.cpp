@@ -9,38 +9,56 @@
 #include <glm/geometric.hpp>
 
 #include "fast_phong.hpp"
+#include "screen_terms.hpp"
 #include "sheen/exponent_table.hpp"
 
 namespace sheen {
 namespace {
 
 /// Evaluates the series of all lights; a negative N·L is dark, the table does the power.
+///
+/// The axes are the weights of two vertices: as precise in slivers as anywhere. What is misprinted depends on the axes,
+/// and is shown in the paper's, pixels.
 class TaylorShader : public Shader {
  public:
-    TaylorShader(std::vector<LightSeries<double>> series, const MethodOptions& options, const Scene& scene,
-                 const ScreenTriangle& triangle)
-        : scene_(scene),
-          material_(triangle.material),
-          series_(std::move(series)),
-          table_(material_.shininess, options.taylor_table_bytes) {}
+    TaylorShader(Method method, const MethodOptions& options, const Scene& scene, const ScreenTriangle& triangle)
+        : scene_(scene), material_(triangle.material), table_(material_.shininess, options.taylor_table_bytes) {
+        TriangleAxes<double> axes;
+        if (options.as_printed) {
+            const Barycentrics<double> at(triangle);
+            axes = {{at.p_x, at.p_y}, {at.q_x, at.q_y}};
+            edge_1_ = edge_to(triangle, 1);
+            edge_2_ = edge_to(triangle, 2);
+        }
+        series_ = method == Method::taylor ? infinite_series(options, scene, triangle, axes)
+                                           : finite_series(options, scene, triangle, axes);
+    }
 
     [[nodiscard]] glm::dvec3 colour(int /*x*/, const glm::dvec3& weights) const override {
-        const double x = weights[1] - 1.0 / 3.0;
-        const double y = weights[2] - 1.0 / 3.0;
+        const glm::dvec2 at = (weights[1] - 1.0 / 3.0) * edge_1_ + (weights[2] - 1.0 / 3.0) * edge_2_;
         glm::dvec3 sum = material_.ambient;
         for (std::size_t k = 0; k < series_.size(); ++k) {
-            const double lambert = std::max(0.0, value_at(series_[k].diffuse, x, y));
-            const double highlight = table_.read(value_at(series_[k].specular, x, y));
+            const double lambert = std::max(0.0, value_at(series_[k].diffuse, at.x, at.y));
+            const double highlight = table_.read(value_at(series_[k].specular, at.x, at.y));
             sum += scene_.lights[k].colour * (material_.diffuse * lambert + material_.specular * highlight);
         }
         return 255.0 * sum;
     }
 
  private:
+    /// From vertex 0 to vertex k, in pixels.
+    static glm::dvec2 edge_to(const ScreenTriangle& triangle, std::size_t k) {
+        const SnappedPoint& from = triangle.vertices[0].point;
+        const SnappedPoint& to = triangle.vertices[k].point;
+        return glm::dvec2(to.x - from.x, to.y - from.y) / static_cast<double>(1 << hls::subpixel_bits);
+    }
+
     const Scene& scene_;
     const Material& material_;
     std::vector<LightSeries<double>> series_;
     ExponentTable table_;
+    glm::dvec2 edge_1_{1.0, 0.0};  ///< from vertex 0, in the axes
+    glm::dvec2 edge_2_{0.0, 1.0};
 };
 
 bool is_blinn(const Material& material) { return material.brdf == Brdf::blinn; }
@@ -106,10 +124,7 @@ std::optional<std::string> why_not_infinite(Method method, const Scene& scene) {
 
 std::unique_ptr<Shader> make_taylor_shader(Method method, const MethodOptions& options, const Scene& scene,
                                            const ScreenTriangle& triangle) {
-    const TriangleAxes<double> axes;
-    return std::make_unique<TaylorShader>(method == Method::taylor ? infinite_series(options, scene, triangle, axes)
-                                                                   : finite_series(options, scene, triangle, axes),
-                                          options, scene, triangle);
+    return std::make_unique<TaylorShader>(method, options, scene, triangle);
 }
 
 }  // namespace sheen
