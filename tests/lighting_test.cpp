@@ -89,5 +89,51 @@ TEST(Lighting, ALightStraightBehindGivesNoHighlightAndNoNan) {
     }
 }
 
+Light positional(const glm::dvec3& place) {
+    Light light;
+    light.kind = Light::Kind::positional;
+    light.vector = place;
+    return light;
+}
+
+TEST(Lighting, APositionalLightShinesFromItsPlaceAndDistanceDoesNotDimIt) {
+    Directions direction;
+    const Material material;
+    for (int i = 0; i < cases; ++i) {
+        const glm::dvec3 normal = direction();
+        const glm::dvec3 position = 5.0 * direction();
+        const glm::dvec3 towards = direction();
+        const SurfacePoint point{position, normal, to_eye_direction};
+        const glm::dvec3 expected = shade(material, {{towards, glm::dvec3(1.0)}}, point);
+        for (const double distance : {1e-3, 1.0, 1e6}) {
+            const Light light = positional(position + distance * towards);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(shade(material, {light}, point)[c], expected[c], 1e-8) << "seed " << seed;
+                EXPECT_NEAR(light.direction_from(position)[c], towards[c], 1e-11) << "seed " << seed;
+            }
+        }
+    }
+}
+
+TEST(Lighting, APositionalLightAnywhereGivesNumbers) {
+    Directions direction;
+    for (int i = 0; i < cases; ++i) {
+        const glm::dvec3 unit = direction();
+        for (const double size : {0.0, 1e-320, 1e-200, 1e-160, 1e-30, 1.0, 1e30, 1e100}) {
+            for (const glm::dvec3& place : {size * unit, glm::dvec3(size, 0.0, 0.0), glm::dvec3(0.0)}) {
+                for (const glm::dvec3& position : {glm::dvec3(0.0), place, size * direction()}) {
+                    const Light light = positional(place);
+                    const glm::dvec3 colour = shade(Material(), {light}, {position, unit, to_eye_direction});
+                    const glm::dvec3 towards = light.direction_from(position);
+                    for (int c = 0; c < 3; ++c) {
+                        ASSERT_TRUE(std::isfinite(colour[c]) && colour[c] >= 0.0) << size << ", case " << i;
+                        ASSERT_TRUE(std::isfinite(towards[c])) << size << ", case " << i;
+                    }
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace sheen

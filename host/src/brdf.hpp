@@ -9,22 +9,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sheen/counted.hpp"
 #include "sheen/lighting.hpp"
 
 namespace sheen {
 
+/// cosine^n, 0 for a negative cosine. One that rounding left above 1 counts as 1, or a large n would make it infinite.
+template <typename Real>
+Real highlight_power(const Real& cosine, double n) {
+    using std::pow;
+    return value_of(cosine) < 1.0 ? pow(std::max(Real(0.0), cosine), Real(n)) : Real(1.0);
+}
+
 /// max(0, N·H)^n (paper `spherical`, eq. 6); not suppressed where N·L < 0.
 template <typename Real>
 Real blinn_highlight(const Material& material, const Real& n_dot_h) {
-    using std::pow;
-    return pow(std::max(Real(0.0), n_dot_h), Real(material.shininess));
+    return highlight_power(n_dot_h, material.shininess);
 }
 
 /// max(0, R·V)^n, R = 2(N·L)N − L the mirror image of L; not suppressed where N·L < 0.
 template <typename Real>
 Real phong_highlight(const Material& material, const Real& n_dot_l, const Real& n_dot_v, const Real& l_dot_v) {
-    using std::pow;
-    return pow(std::max(Real(0.0), Real(2.0) * n_dot_l * n_dot_v - l_dot_v), Real(material.shininess));
+    return highlight_power(Real(2.0) * n_dot_l * n_dot_v - l_dot_v, material.shininess);
 }
 
 /// Fresnel's reflectance of unpolarised light where V·H = c > 0, for the index of refraction whose reflectance at c = 1

@@ -19,10 +19,14 @@ Real dot(const Vec3<Real>& a, const Vec3<Real>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// A guard, not arithmetic of a method: free.
+/// Whether there is no length to divide by: zero, or so short that its square is. A guard, not arithmetic of a method:
+/// free.
 template <typename Real>
 bool is_zero(const Vec3<Real>& v) {
-    return value_of(v.x) == 0.0 && value_of(v.y) == 0.0 && value_of(v.z) == 0.0;
+    const double x = value_of(v.x);
+    const double y = value_of(v.y);
+    const double z = value_of(v.z);
+    return x * x + y * y + z * z == 0.0;
 }
 
 /// 1/|v|: three multiplications, two additions, a root, a division. Infinite for the zero vector.

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "material_options.hpp"
 #include "sheen/image.hpp"
 #include "sheen/scene.hpp"
 
@@ -18,7 +19,8 @@ class SceneOptions {
     SceneOptions(const SceneOptions&) = delete;
     SceneOptions& operator=(const SceneOptions&) = delete;
 
-    /// The scene with its mesh loaded, and the default light where the user gave none. \throws Error naming the file.
+    /// The scene with its mesh loaded, and the default light where the user gave none. \throws UsageError for options
+    /// that don't go together; Error naming the file.
     [[nodiscard]] Scene load() const;
     [[nodiscard]] const std::string& mesh() const { return mesh_; }
     [[nodiscard]] int width() const { return scene_.width; }
@@ -29,8 +31,8 @@ class SceneOptions {
 
  private:
     void add_light_options(CLI::App& command);
-    void add_material_options(CLI::App& command);
 
+    MaterialOptions material_;
     Scene scene_;
     bool light_has_colour_ = false;  ///< the last light was given one
     std::string mesh_;

@@ -15,9 +15,15 @@
 
 namespace sheen {
 
-/// Everything that a picture depends on. Conventions: right-handed eye space, camera looking along −Z, +Y up, front
-/// faces counter-clockwise; the mesh's bounding sphere (radius r) is moved to (0, 0, −4r) and fills 0.9 of the image's
-/// height; depth maps −3r…−5r to [1, 65534].
+/// Everything that a picture depends on. Conventions: right-handed eye space in mesh units, the eye at 0 looking along
+/// −Z, +Y up, front faces counter-clockwise.
+/// - Orthographic: the mesh's bounding sphere (radius r) is moved to (0, 0, −4r) and fills 0.9 of the image's height;
+///   depth maps −3r…−5r to [1, 65534].
+/// - Perspective: the sphere is moved to (0, 0, −d·r), d = `distance`, by default where it fills 0.9. Triangles are
+///   clipped at the near plane, max(1/256, f/2^20)·r before the eye, f = height/(2·tan(field_of_view/2)) pixels; it
+///   never reaches the sphere at the default distance, and keeps every vertex within ±2^20 px of the image's middle.
+///   Depth is linear in 1/z, and so on the screen, from the nearer of sphere and near plane (1) to the sphere's far
+///   side.
 struct Scene {
     Mesh mesh;
     Material material;  ///< of triangles whose mesh brings none
@@ -38,8 +44,9 @@ struct ScreenVertex {
     glm::dvec3 normal{0.0};    ///< eye space, unit
 };
 
-/// A front-facing triangle (or a flipped back face) with its pixels in the image. `vertices` define the shading
-/// polynomial and, by the top-left rule, the coverage; `walks` are the covered pixels in the image.
+/// A front-facing triangle (or a flipped back face) with its pixels in the image; at the near plane one or two pieces
+/// of it, each fitted anew. `vertices` define the shading polynomial and, by the top-left rule, the coverage; `walks`
+/// are the covered pixels in the image.
 struct ScreenTriangle {
     std::array<ScreenVertex, 3> vertices;
     glm::dvec3 face_normal{0.0};  ///< eye space, unit, on the visible side
@@ -47,9 +54,13 @@ struct ScreenTriangle {
     std::vector<TriangleWalk> walks;
 };
 
-/// Projects, culls, snaps and clips; keeps the triangles that cover a pixel. The order is the mesh's.
-/// \throws UsageError for an impossible size, Error for a mesh whose radius is 0 or not finite.
-std::vector<ScreenTriangle> project(const Scene& scene);
+/// What becomes of triangles that cover no pixel.
+enum class Uncovered { drop, keep };
+
+/// Projects, clips, snaps and culls; drops or keeps the triangles that cover no pixel. The order is the mesh's.
+/// \throws UsageError for an impossible size, field of view or distance, or a distance without a field of view; Error
+///         for a mesh whose radius is 0 or not finite.
+std::vector<ScreenTriangle> project(const Scene& scene, Uncovered uncovered = Uncovered::drop);
 
 /// Unit vector from a surface point towards the eye: (0, 0, 1) for the orthographic camera and for a point in the eye.
 glm::dvec3 to_eye(const Scene& scene, const glm::dvec3& position);
