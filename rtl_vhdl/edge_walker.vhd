@@ -13,17 +13,18 @@
 --       |               +- middle -+ | +--------------+
 --       +----------------- last row -+
 --
--- Each phase accumulator is cut in two halves, so that no carry chain is longer than one. The lower half is a step
--- ahead, its carry a register; its first step is made on the way into the registers:
+-- The edges' phase accumulators are cut in two halves, so that no carry chain is longer than one. The lower half is a
+-- step ahead, its carry a register; its first step is made on the way to the accumulator:
 --
---   clock        load (idle)     prime              first row
---   lower half   P + step        + step             + step
---   upper half   P               + step + carry     + step + carry
---   carry                                           of the first row
+--   clock        before            load (idle)   prime             first row
+--   addend       <= start          <= step
+--   lower half                     P + step      + step            + step
+--   upper half                     P             + step + carry    + step + carry
+--   overflow                                                       of the first row
 --
 -- While the walker is idle its registers take in whatever stands in geometry, so that none of them waits for the
--- decision to load; the lower part follows from there in the clock after. What decides that a register moves is itself
--- a register (long_moves, end_moves, length_moves).
+-- decision to load. An accumulator takes its start from its addend: no multiplexer stands behind an adder. What decides
+-- that a register moves is itself a register (long_moves, end_moves, length_moves).
 --
 -- Rows: u = s*x advances by kappa + carry; L += m + carry_end - carry_long; at the middle vertex L, m and the end
 -- edge's phase are reloaded. All fields are modulo 2**12; a row of length 0 gives no span.
@@ -46,7 +47,7 @@ entity edge_walker is
     rst : in std_ulogic;
 
     job       : in job_t;
-    geometry  : in geometry_t;  -- stable from the clock before job.valid to the clock after job_taken
+    geometry  : in geometry_t;  -- stable, like job.leftward, from the clock before job.valid to that after job_taken
     job_taken : out std_ulogic;
 
     room        : in std_ulogic;  -- the span queue takes a span
@@ -81,6 +82,7 @@ architecture rtl of edge_walker is
   signal triangle_ends : std_ulogic;
   signal leaves_row    : std_ulogic;
   signal reload        : std_ulogic;
+  signal ready         : std_ulogic;  -- for the next triangle: the addends are no longer needed
   signal begins_part   : std_ulogic;  -- the part in preset, if a triangle is there at all
   signal carry_follows : std_ulogic;
   signal push_row      : std_ulogic;
@@ -94,58 +96,54 @@ architecture rtl of edge_walker is
   signal first         : std_ulogic;         -- the next span is the triangle's first
   signal first_pending : std_ulogic := '0';  -- the triangle's first span waits in the queue
 
-  -- A phase accumulator, skewed: the lower half is a step ahead of the upper one.
+  -- A phase accumulator. While the walker is idle its addend is the edge's start, which it takes over as it stands.
   constant half_bits : positive := phase_bits / 2;
+  subtype half_t is unsigned(half_bits - 1 downto 0);
+  subtype low_t is unsigned(half_bits downto 0);  -- with the carry of the last step, into the upper half's next
 
   type edge_t is record
-    low   : unsigned(half_bits - 1 downto 0);
-    high  : unsigned(half_bits - 1 downto 0);
-    carry : std_ulogic;  -- of the lower half's last step, into the upper one's next
-    step  : phase_t;
+    low         : low_t;
+    high        : half_t;
+    low_addend  : low_t;
+    high_addend : half_t;
+    overflow    : std_ulogic;  -- the carry out of the last step: for the row that ends next
   end record edge_t;
 
-  -- An edge at its start.
-  function start_of (phase : phase_t; step : phase_t) return edge_t is
-    variable sum  : unsigned(half_bits downto 0);
-    variable edge : edge_t;
-  begin
-    sum        := ('0' & phase(half_bits - 1 downto 0)) + step(half_bits - 1 downto 0);
-    edge.low   := sum(half_bits - 1 downto 0);
-    edge.high  := phase(phase_bits - 1 downto half_bits);
-    edge.carry := sum(half_bits);
-    edge.step  := step;
-    return edge;
-  end function start_of;
+  type edge_vector_t is array (natural range <>) of edge_t;
+  type phase_vector_t is array (natural range <>) of phase_t;
 
-  signal long_low  : unsigned(half_bits downto 0);  -- sums of the halves, with their carries
-  signal long_high : unsigned(half_bits downto 0);
-  signal end_low   : unsigned(half_bits downto 0);
-  signal end_high  : unsigned(half_bits downto 0);
+  -- The edges: the long one, the end edge above the middle vertex and that below it.
+  constant long  : natural := 0;
+  constant upper : natural := 1;
+  constant lower : natural := 2;
+
+  signal edges  : edge_vector_t(0 to 2);
+  signal phases : phase_vector_t(0 to 2);
+  signal steps  : phase_vector_t(0 to 2);
+  signal moves  : std_ulogic_vector(0 to 2);  -- the edge takes over its addend or steps
+  signal counts : std_ulogic_vector(0 to 2);  -- the carry is one of a row
 
   -- One side of the middle vertex.
   type part_t is record
-    rows     : coordinate_t;
-    length   : coordinate_t;
-    m        : coordinate_t;
-    end_edge : edge_t;
+    rows   : coordinate_t;
+    length : coordinate_t;
+    m      : coordinate_t;
   end record part_t;
 
-  signal part      : part_t;      -- the part being walked
-  signal preset    : part_t;      -- the next one: the lower part, then the next triangle's upper part
-  signal long_edge : edge_t;
+  signal part     : part_t;      -- the part being walked
+  signal preset   : part_t;      -- the next one: the lower part, then the next triangle's upper part
+  signal in_lower : std_ulogic;  -- past the middle vertex
 
   signal long_moves   : std_ulogic := '1';  -- the long edge is loaded or steps in this clock
   signal end_moves    : std_ulogic := '1';  -- the same of the end edge
   signal length_moves : std_ulogic := '1';  -- the same of the part's length
-  signal long_carry   : std_ulogic;
-  signal end_carry    : std_ulogic;
 
   signal leftward : std_ulogic;
   signal x        : coordinate_t;  -- inverted when leftward
-  signal kappa    : coordinate_t;
+  signal x_addend : coordinate_t;  -- kappa; while idle, where the triangle starts
   signal y        : coordinate_t;
   signal growth   : coordinate_t;  -- of the length in this clock: m, or -1 in a carry
-  signal grown    : unsigned(coordinate_bits downto 0);
+  signal grown    : unsigned(coordinate_bits + 1 downto 0);
 
 begin
 
@@ -156,8 +154,9 @@ begin
   triangle_ends <= in_row and final_row;
   reload        <= (in_row and middle_row) or skip;
   begins_part   <= idle or reload;
-  carry_follows <= in_row and long_carry and not final_row;
-  leaves_row    <= in_row and (long_carry or middle_row or final_row);
+  ready         <= idle or final_row;
+  carry_follows <= in_row and edges(long).overflow and not final_row;
+  leaves_row    <= in_row and (edges(long).overflow or middle_row or final_row);
   next_row      <= (row and not leaves_row) or carry or prime;
   next_idle     <= (idle and not (load and not (none_above and none_below))) or triangle_ends;
 
@@ -171,7 +170,7 @@ begin
 
       idle   <= next_idle;
       free   <= next_idle and not (first_pending or (in_row and first));
-      prime  <= (load and not none_above) or skip or (in_row and middle_row and not long_carry);
+      prime  <= (load and not none_above) or skip or (in_row and middle_row and not edges(long).overflow);
       empty  <= load and none_above and not none_below;
       skip   <= empty;
       row    <= next_row;
@@ -185,12 +184,13 @@ begin
       length_moves <= not ((next_row and not room) or load or reload);
 
       if in_row then
-        middle_row <= to_std_ulogic(part.rows = 2) and not last_part;
-        final_row  <= to_std_ulogic(part.rows = 2) and last_part;
+        middle_row <= to_std_ulogic(part.rows = 2) and not (idle or last_part);
+        final_row  <= to_std_ulogic(part.rows = 2) and last_part and not idle;
       else
-        middle_row <= to_std_ulogic(part.rows = 1) and not last_part;
-        final_row  <= to_std_ulogic(part.rows = 1) and last_part;
+        middle_row <= to_std_ulogic(part.rows = 1) and not (idle or last_part);
+        final_row  <= to_std_ulogic(part.rows = 1) and last_part and not idle;
       end if;
+      in_lower <= (in_lower or reload) and not idle;
       if idle then
         last_part <= none_below;
       elsif reload then
@@ -223,72 +223,74 @@ begin
     end if;
   end process control;
 
-  long_low  <= ('0' & long_edge.low) + long_edge.step(half_bits - 1 downto 0);
-  long_high <= add_with_carry(long_edge.high, long_edge.step(phase_bits - 1 downto half_bits), long_edge.carry);
-  end_low   <= ('0' & part.end_edge.low) + part.end_edge.step(half_bits - 1 downto 0);
-  end_high  <= add_with_carry(part.end_edge.high, part.end_edge.step(phase_bits - 1 downto half_bits),
-                              part.end_edge.carry);
+  phases <= (geometry.long_phase, geometry.upper_phase, geometry.lower_phase);
+  steps  <= (geometry.long_step, geometry.upper_step, geometry.lower_step);
+  moves  <= (long_moves, end_moves, idle or (end_moves and in_lower));
+  counts <= (not idle, not in_lower, not idle);
 
-  phases : process (clk) is
+  accumulators : for k in edges'range generate
+    signal low   : low_t;
+    signal high  : unsigned(half_bits downto 0);
+    signal start : low_t;
   begin
-    if rising_edge(clk) then
-      -- The carries are masked while idle: with a LUT before it, their register stands at the end of the carry chain.
-      if long_moves then
-        long_edge.low   <= long_low(half_bits - 1 downto 0);
-        long_edge.high  <= long_high(half_bits - 1 downto 0);
-        long_edge.carry <= long_low(half_bits);
-        long_carry      <= long_high(half_bits) and not idle;
-        if idle then
-          long_edge <= start_of(geometry.long_phase, geometry.long_step);
-        end if;
-      end if;
 
-      if end_moves then
-        part.end_edge.low   <= end_low(half_bits - 1 downto 0);
-        part.end_edge.high  <= end_high(half_bits - 1 downto 0);
-        part.end_edge.carry <= end_low(half_bits);
-        end_carry           <= end_high(half_bits) and not idle;
-        if begins_part then
-          part.end_edge.low   <= preset.end_edge.low;
-          part.end_edge.high  <= preset.end_edge.high;
-          part.end_edge.carry <= preset.end_edge.carry;
+    low   <= ('0' & edges(k).low(half_bits - 1 downto 0)) + edges(k).low_addend;
+    high  <= add_with_carry(edges(k).high, edges(k).high_addend, edges(k).low(half_bits));
+    start <= ('0' & phases(k)(half_bits - 1 downto 0)) + steps(k)(half_bits - 1 downto 0);
+
+    accumulator : process (clk) is
+    begin
+      if rising_edge(clk) then
+        if moves(k) then
+          edges(k).low      <= edges(k).low_addend when idle else low;
+          edges(k).high     <= edges(k).high_addend when idle else high(half_bits - 1 downto 0);
+          edges(k).overflow <= high(half_bits) and counts(k);
+        end if;
+        if ready then
+          edges(k).low_addend  <= '0' & steps(k)(half_bits - 1 downto 0) when load else start;
+          edges(k).high_addend <= steps(k)(phase_bits - 1 downto half_bits) when load
+                                  else phases(k)(phase_bits - 1 downto half_bits);
         end if;
       end if;
-      if begins_part then
-        part.end_edge.step <= preset.end_edge.step;
-      end if;
-    end if;
-  end process phases;
+    end process accumulator;
+
+  end generate accumulators;
 
   -- A triangle begins with the part that waits here, and so does what follows the middle vertex.
   next_part : process (clk) is
   begin
     if rising_edge(clk) then
       if prime or empty then
-        preset <= (rows => geometry.rows_below, length => geometry.length_reload, m => geometry.m_below,
-                   end_edge => start_of(geometry.lower_phase, geometry.lower_step));
+        preset <= (rows => geometry.rows_below, length => geometry.length_reload, m => geometry.m_below);
       elsif idle or last_part then
-        preset <= (rows => geometry.rows_above, length => geometry.length, m => geometry.m,
-                   end_edge => start_of(geometry.upper_phase, geometry.upper_step));
+        preset <= (rows => geometry.rows_above, length => geometry.length, m => geometry.m);
       end if;
     end if;
   end process next_part;
 
-  -- The carry out of in_row + end_carry is their conjunction.
-  grown <= (part.length & in_row) + (growth & end_carry);
+  -- The carry out of the lowest two bits is that of a row: in_row and one of the overflows.
+  grown <= (part.length & in_row & in_row) + (growth & edges(upper).overflow & edges(lower).overflow);
 
   position : process (clk) is
   begin
     if rising_edge(clk) then
       if idle then
-        x        <= not geometry.x when job.leftward else geometry.x;
-        kappa    <= geometry.kappa;
+        x        <= x_addend;
         y        <= geometry.y;
         leftward <= job.leftward;
       elsif in_row then
         -- Leftward, not x + kappa + carry = not (x - kappa - carry).
-        x <= resize(add_with_carry(x, kappa, long_carry), coordinate_bits);
+        x <= resize(add_with_carry(x, x_addend, edges(long).overflow), coordinate_bits);
         y <= y + 1;
+      end if;
+      if ready then
+        if load then
+          x_addend <= geometry.kappa;
+        elsif job.leftward then
+          x_addend <= not geometry.x;
+        else
+          x_addend <= geometry.x;
+        end if;
       end if;
 
       -- Length: m + carry_end with the row, -1 with a carry; a part begins with its own, which has had its carry.
@@ -300,7 +302,7 @@ begin
         part.m <= preset.m;
       end if;
       if length_moves then
-        part.length <= grown(coordinate_bits downto 1);
+        part.length <= grown(coordinate_bits + 1 downto 2);
         if begins_part then
           part.length <= preset.length;
         end if;

@@ -73,10 +73,12 @@ class Bench {
         return taken;
     }
 
-    /// Offers the job until it is taken. As the decoder does, it has the geometry ready a clock before.
+    /// Offers the job until it is taken. As the decoder does, it has geometry and direction ready a clock before.
     void take(const hls::job_t& job, const hls::geometry_t& geometry) {
         if (just_taken_) clock({}, geometry);
-        clock({}, geometry);
+        hls::job_t ready = job;
+        ready.valid = 0;
+        clock(ready, geometry);
         while (!clock(job, geometry)) {
         }
     }

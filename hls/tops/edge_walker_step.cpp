@@ -11,14 +11,6 @@ namespace {
 using namespace sheen::hls;
 using port_t = ac_int<64, false>;
 
-/// Two words of 32 bits as one port.
-port_t pair(const phase_t& low, const phase_t& high) {
-    port_t port = 0;
-    port.set_slc(0, low);
-    port.set_slc(phase_bits, high);
-    return port;
-}
-
 /// Five coordinates as one port.
 port_t fields(const coordinate_t& a, const coordinate_t& b, const coordinate_t& c, const coordinate_t& d,
               const coordinate_t& e) {
@@ -37,29 +29,40 @@ coordinate_t field(const port_t& port, int index) { return port.slc<coordinate_b
 
 bit_t flag(const port_t& port, int index) { return port[static_cast<unsigned>(index)]; }
 
-/// A phase accumulator: its halves and its step; the carry between the halves comes with the flags.
-edge_walker::edge_t edge_of(const port_t& words, bit_t carry) {
+constexpr int half_bits = edge_walker::half_bits;
+
+/// An edge's port: its accumulator and its addend, 32 bits each; the three bits more come with the flags.
+edge_walker::edge_t edge_of(const port_t& port, const port_t& flags, int first_flag) {
     edge_walker::edge_t edge;
-    edge.low = words.slc<edge_walker::half_bits>(0);
-    edge.high = words.slc<edge_walker::half_bits>(edge_walker::half_bits);
-    edge.carry = carry;
-    edge.step = word(words, 1);
+    edge.low.set_slc(0, port.slc<half_bits>(0));
+    edge.high = port.slc<half_bits>(half_bits);
+    edge.low_addend.set_slc(0, port.slc<half_bits>(2 * half_bits));
+    edge.high_addend = port.slc<half_bits>(3 * half_bits);
+    edge.low.set_slc(half_bits, flag(flags, first_flag));
+    edge.low_addend.set_slc(half_bits, flag(flags, first_flag + 1));
+    edge.overflow = flag(flags, first_flag + 2);
     return edge;
 }
 
-port_t words_of(const edge_walker::edge_t& edge) {
-    phase_t phase = 0;
-    phase.set_slc(0, edge.low);
-    phase.set_slc(edge_walker::half_bits, edge.high);
-    return pair(phase, edge.step);
+port_t port_of(const edge_walker::edge_t& edge) {
+    port_t port = 0;
+    port.set_slc(0, edge.low.slc<half_bits>(0));
+    port.set_slc(half_bits, edge.high);
+    port.set_slc(2 * half_bits, edge.low_addend.slc<half_bits>(0));
+    port.set_slc(3 * half_bits, edge.high_addend);
+    return port;
 }
 
-edge_walker::part_t part_of(const port_t& rows, const edge_walker::edge_t& end_edge) {
-    return {field(rows, 0), field(rows, 1), field(rows, 2), end_edge};
+void set_flags_of(const edge_walker::edge_t& edge, port_t& flags, int first_flag) {
+    flags.set_slc(first_flag, edge.low.slc<1>(half_bits));
+    flags.set_slc(first_flag + 1, edge.low_addend.slc<1>(half_bits));
+    flags.set_slc(first_flag + 2, edge.overflow);
 }
 
-edge_walker::state_t state_of(const port_t& flags, const port_t& position, const port_t& long_edge, const port_t& part,
-                              const port_t& end_edge, const port_t& preset, const port_t& preset_edge) {
+edge_walker::part_t part_of(const port_t& rows) { return {field(rows, 0), field(rows, 1), field(rows, 2)}; }
+
+edge_walker::state_t state_of(const port_t& flags, const port_t& position, const port_t& part, const port_t& preset,
+                              const port_t& long_edge, const port_t& upper_edge, const port_t& lower_edge) {
     edge_walker::state_t s;
     s.walk = flags.slc<3>(0);
     s.in_row = flag(flags, 3);
@@ -72,17 +75,19 @@ edge_walker::state_t state_of(const port_t& flags, const port_t& position, const
     s.first = flag(flags, 11);
     s.first_pending = flag(flags, 12);
     s.leftward = flag(flags, 13);
-    s.long_carry = flag(flags, 14);
-    s.end_carry = flag(flags, 15);
-    s.none_above = flag(flags, 19);
-    s.none_below = flag(flags, 20);
+    s.in_lower = flag(flags, 14);
+    s.length_moves = flag(flags, 15);
+    s.none_above = flag(flags, 16);
+    s.none_below = flag(flags, 17);
     s.x = field(position, 0);
     s.y = field(position, 1);
-    s.kappa = field(position, 2);
+    s.x_addend = field(position, 2);
     s.growth = field(position, 3);
-    s.part = part_of(part, edge_of(end_edge, flag(flags, 16)));
-    s.preset = part_of(preset, edge_of(preset_edge, flag(flags, 17)));
-    s.long_edge = edge_of(long_edge, flag(flags, 18));
+    s.part = part_of(part);
+    s.preset = part_of(preset);
+    s.long_edge = edge_of(long_edge, flags, 18);
+    s.upper_edge = edge_of(upper_edge, flags, 21);
+    s.lower_edge = edge_of(lower_edge, flags, 24);
     return s;
 }
 
@@ -99,13 +104,13 @@ port_t flags_of(const edge_walker::state_t& s) {
     flags.set_slc(11, s.first);
     flags.set_slc(12, s.first_pending);
     flags.set_slc(13, s.leftward);
-    flags.set_slc(14, s.long_carry);
-    flags.set_slc(15, s.end_carry);
-    flags.set_slc(16, s.part.end_edge.carry);
-    flags.set_slc(17, s.preset.end_edge.carry);
-    flags.set_slc(18, s.long_edge.carry);
-    flags.set_slc(19, s.none_above);
-    flags.set_slc(20, s.none_below);
+    flags.set_slc(14, s.in_lower);
+    flags.set_slc(15, s.length_moves);
+    flags.set_slc(16, s.none_above);
+    flags.set_slc(17, s.none_below);
+    set_flags_of(s.long_edge, flags, 18);
+    set_flags_of(s.upper_edge, flags, 21);
+    set_flags_of(s.lower_edge, flags, 24);
     return flags;
 }
 
@@ -151,16 +156,16 @@ port_t outputs_of(const edge_walker::state_t& s) {
 
 }  // namespace
 
-/// flags … preset_edge: the state; job_flags: valid, message, leftward, linear, depth, code; job_*: geometry.
-extern "C" void edge_walker_step(std::uint64_t flags, std::uint64_t position, std::uint64_t long_edge,
-                                 std::uint64_t part, std::uint64_t end_edge, std::uint64_t preset,
-                                 std::uint64_t preset_edge, std::uint8_t job_flags, std::uint32_t job_header,
-                                 std::uint64_t job_start, std::uint64_t job_rest, std::uint64_t job_long,
-                                 std::uint64_t job_upper, std::uint64_t job_lower, bool room, bool first_taken,
-                                 std::uint64_t* next_flags, std::uint64_t* next_position, std::uint64_t* next_long_edge,
-                                 std::uint64_t* next_part, std::uint64_t* next_end_edge, std::uint64_t* next_preset,
-                                 std::uint64_t* next_preset_edge, std::uint64_t* outputs, bool* job_taken) {
-    const edge_walker::state_t state = state_of(flags, position, long_edge, part, end_edge, preset, preset_edge);
+/// flags … lower_edge: the state; job_flags: valid, message, leftward, linear, depth, code; job_*: geometry.
+extern "C" void edge_walker_step(std::uint64_t flags, std::uint64_t position, std::uint64_t part, std::uint64_t preset,
+                                 std::uint64_t long_edge, std::uint64_t upper_edge, std::uint64_t lower_edge,
+                                 std::uint8_t job_flags, std::uint32_t job_header, std::uint64_t job_start,
+                                 std::uint64_t job_rest, std::uint64_t job_long, std::uint64_t job_upper,
+                                 std::uint64_t job_lower, bool room, bool first_taken, std::uint64_t* next_flags,
+                                 std::uint64_t* next_position, std::uint64_t* next_part, std::uint64_t* next_preset,
+                                 std::uint64_t* next_long_edge, std::uint64_t* next_upper_edge,
+                                 std::uint64_t* next_lower_edge, std::uint64_t* outputs, bool* job_taken) {
+    const edge_walker::state_t state = state_of(flags, position, part, preset, long_edge, upper_edge, lower_edge);
     job_t job;
     const port_t bits = job_flags;
     job.valid = flag(bits, 0);
@@ -176,11 +181,11 @@ extern "C" void edge_walker_step(std::uint64_t flags, std::uint64_t position, st
     const edge_walker::state_t next = edge_walker::step(state, job, geometry, room, first_taken);
     const coordinate_t none = 0;
     *next_flags = flags_of(next).to_uint64();
-    *next_position = fields(next.x, next.y, next.kappa, next.growth, none).to_uint64();
-    *next_long_edge = words_of(next.long_edge).to_uint64();
+    *next_position = fields(next.x, next.y, next.x_addend, next.growth, none).to_uint64();
     *next_part = fields(next.part.rows, next.part.length, next.part.m, none, none).to_uint64();
-    *next_end_edge = words_of(next.part.end_edge).to_uint64();
     *next_preset = fields(next.preset.rows, next.preset.length, next.preset.m, none, none).to_uint64();
-    *next_preset_edge = words_of(next.preset.end_edge).to_uint64();
+    *next_long_edge = port_of(next.long_edge).to_uint64();
+    *next_upper_edge = port_of(next.upper_edge).to_uint64();
+    *next_lower_edge = port_of(next.lower_edge).to_uint64();
     *outputs = outputs_of(next).to_uint64();
 }

@@ -9,8 +9,8 @@
 /// it.
 ///
 /// Each phase accumulator is cut in two halves, so that no carry chain is longer than one: the lower half is a step
-/// ahead of the upper one and hands its carry on through a register. Its first step is made on the way into the
-/// registers.
+/// ahead of the upper one and hands its carry on through a register. Its first step is made on the way to the
+/// accumulator.
 ///
 /// Rows: u = s·x advances by κ + carry; L += m + carry_end − carry_long; at the middle vertex L, m and the end edge's
 /// phase are reloaded. All fields are modulo 2^12; a row of length 0 gives no span.
@@ -31,18 +31,21 @@ struct edge_walker {
     static constexpr int half_bits = phase_bits / 2;
     using half_t = ac_int<half_bits, false>;
     using half_sum_t = ac_int<half_bits + 1, false>;
+    using low_t = half_sum_t;  ///< with the carry of the last step, into the upper half's next
 
-    /// A phase accumulator, skewed: the lower half is a step ahead of the upper one.
+    /// A phase accumulator, skewed: the lower half is a step ahead of the upper one. While the walker is idle its
+    /// addend is the edge's start, which the accumulator takes over as it stands.
     struct edge_t {
-        half_t low = 0, high = 0;
-        bit_t carry = 0;  ///< of the lower half's last step, into the upper one's next
-        phase_t step = 0;
+        low_t low = 0;
+        half_t high = 0;
+        low_t low_addend = 0;
+        half_t high_addend = 0;
+        bit_t overflow = 0;  ///< the carry out of the last step: for the row that ends next
     };
 
     /// One side of the middle vertex.
     struct part_t {
         coordinate_t rows = 0, length = 0, m = 0;
-        edge_t end_edge;
     };
 
     struct state_t {
@@ -57,13 +60,14 @@ struct edge_walker {
         bit_t length_moves = 1;   ///< the same of the part's length
         bit_t first = 0;          ///< the next span is the triangle's first
         bit_t first_pending = 0;  ///< the triangle's first span waits in the queue
+        bit_t in_lower = 0;       ///< past the middle vertex
         bit_t leftward = 0;
-        bit_t long_carry = 0, end_carry = 0;
         bit_t none_above = 0;  ///< geometry, a clock ago: no row above the middle vertex
         bit_t none_below = 0;
-        coordinate_t x = 0;  ///< inverted when leftward
-        coordinate_t y = 0, kappa = 0;
-        edge_t long_edge;
+        coordinate_t x = 0;         ///< inverted when leftward
+        coordinate_t x_addend = 0;  ///< κ; while idle, where the triangle starts
+        coordinate_t y = 0;
+        edge_t long_edge, upper_edge, lower_edge;
         coordinate_t growth = 0;  ///< of the length in this clock: m, or −1 in a carry
         part_t part;              ///< the part being walked
         part_t preset;            ///< the next one: the lower part, then the next triangle's upper part
@@ -78,7 +82,7 @@ struct edge_walker {
         return job.valid & select(job.message, bit_t(bit_t(state.walk == idle) & room), state.free);
     }
 
-    /// \param geometry stable from the clock before job.valid to the clock after the job is taken
+    /// \param geometry stable, like job.leftward, from the clock before job.valid to the clock after the job is taken
     /// \param first_taken the span walker starts a triangle's first span in this clock
     static state_t step(const state_t& state, const job_t& job, const geometry_t& geometry, bit_t room,
                         bit_t first_taken) {
@@ -97,8 +101,8 @@ struct edge_walker {
         // Control. A triangle without rows above its middle vertex skips its upper part, and may have no row at all.
         next.none_above = bit_t(geometry.rows_above == 0);
         next.none_below = bit_t(geometry.rows_below == 0);
-        const walk_state_t after_row =
-            select(state.long_carry, walk_state_t(carry), select(reload, walk_state_t(prime), walk_state_t(row)));
+        const walk_state_t after_row = select(state.long_edge.overflow, walk_state_t(carry),
+                                              select(reload, walk_state_t(prime), walk_state_t(row)));
         const walk_state_t after_load = select(state.none_above, walk_state_t(empty), walk_state_t(prime));
         next.walk = select(in_row, select(triangle_ends, walk_state_t(idle), after_row), next.walk);
         next.walk = select(priming | carrying, walk_state_t(row), next.walk);
@@ -109,8 +113,8 @@ struct edge_walker {
         next.in_row = bit_t(next.walk == row) & room;
         next.last_part = select(idling, state.none_below, bit_t(state.last_part | reload));
         const bit_t last_row = select(in_row, bit_t(state.part.rows == 2), bit_t(state.part.rows == 1));
-        next.middle_row = last_row & ~state.last_part;
-        next.final_row = last_row & state.last_part;
+        next.middle_row = last_row & ~state.last_part & ~idling;
+        next.final_row = last_row & state.last_part & ~idling;
 
         // A triangle begins with the part that waits in preset, and so does what follows the middle vertex. While the
         // walker is idle it gets ready for the triangle that may come in this clock: no register waits for `load`.
@@ -121,13 +125,15 @@ struct edge_walker {
         next.part.m = select(begins_part, state.preset.m, state.part.m);
 
         // Phases, a row ahead: a carry is ready when its row ends.
-        const edge_t long_next =
-            select_edge(idling, start_of(geometry.long_phase, geometry.long_step), stepped(state.long_edge));
-        next.long_edge = select_edge(state.long_moves, long_next, state.long_edge);
-        next.long_carry = select(state.long_moves, bit_t(carry_of(state.long_edge) & ~idling), state.long_carry);
-        const edge_t end_next = select_edge(begins_part, state.preset.end_edge, stepped(state.part.end_edge));
-        next.part.end_edge = select_edge(state.end_moves, end_next, state.part.end_edge);
-        next.end_carry = select(state.end_moves, bit_t(carry_of(state.part.end_edge) & ~idling), state.end_carry);
+        const bit_t ready = idling | state.final_row;
+        const bit_t lower_moves = idling | (state.end_moves & state.in_lower);
+        next.long_edge = clocked(state.long_edge, {state.long_moves, idling, ready, load, ~idling}, geometry.long_phase,
+                                 geometry.long_step);
+        next.upper_edge = clocked(state.upper_edge, {state.end_moves, idling, ready, load, ~state.in_lower},
+                                  geometry.upper_phase, geometry.upper_step);
+        next.lower_edge = clocked(state.lower_edge, {lower_moves, idling, ready, load, ~idling}, geometry.lower_phase,
+                                  geometry.lower_step);
+        next.in_lower = (state.in_lower | reload) & ~idling;
 
         // The long edge steps in the first prime and with every row; the end edge once more in the clock after the
         // middle vertex; the length with every row and every carry but that in the clock after the middle vertex.
@@ -138,14 +144,16 @@ struct edge_walker {
         next.length_moves = ~(waits | load | reload);
 
         // Position: x + s·(κ + carry); leftward, not x + κ + carry = not (x − κ − carry).
-        next.x = select(in_row, coordinate_t(state.x + state.kappa + state.long_carry), state.x);
-        next.x = select(idling, inverted(job.leftward, geometry.x), next.x);
-        next.kappa = select(idling, geometry.kappa, state.kappa);
+        const coordinate_t moved = state.x + state.x_addend + state.long_edge.overflow;
+        next.x = select(idling, state.x_addend, select(in_row, moved, state.x));
+        const coordinate_t x_addend = select(load, geometry.kappa, inverted(job.leftward, geometry.x));
+        next.x_addend = select(ready, x_addend, state.x_addend);
         next.y = select(idling, geometry.y, coordinate_t(state.y + in_row));
         next.leftward = select(idling, job.leftward, state.leftward);
 
         // Length: m + carry_end with the row, −1 with a carry; a part begins with its own, which has had its carry.
-        const coordinate_t grown = state.part.length + state.growth + (state.end_carry & in_row);
+        const coordinate_t grown =
+            state.part.length + state.growth + ((state.upper_edge.overflow | state.lower_edge.overflow) & in_row);
         next.part.length =
             select(state.length_moves, select(begins_part, state.preset.length, grown), state.part.length);
         next.growth = select(bit_t(next.walk == carry), coordinate_t(-1), state.part.m);
@@ -165,40 +173,36 @@ struct edge_walker {
     }
 
  private:
-    /// An edge at its start, with the lower half's first step.
-    static edge_t start_of(const phase_t& phase, const phase_t& step) {
-        const half_sum_t low = low_sum(phase.slc<half_bits>(0), step);
-        return {half_t(low), phase.slc<half_bits>(half_bits), bit_t(low[half_bits]), step};
+    /// What an accumulator does in a clock.
+    struct edge_control_t {
+        bit_t moves;  ///< it takes over its addend or steps
+        bit_t takes;  ///< with moves: it takes over
+        bit_t ready;  ///< its addend becomes the start, or, with load, the step
+        bit_t load;
+        bit_t counts;  ///< with moves: the carry is one of a row
+    };
+
+    static edge_t clocked(const edge_t& edge, const edge_control_t& control, const phase_t& phase,
+                          const phase_t& step) {
+        const low_t low = edge.low.slc<half_bits>(0) + edge.low_addend;
+        const half_sum_t high = edge.high + edge.high_addend + edge.low.slc<1>(half_bits);
+        const low_t start = phase.slc<half_bits>(0) + step.slc<half_bits>(0);
+        edge_t next;
+        next.low = select(control.moves, select(control.takes, edge.low_addend, low), edge.low);
+        next.high = select(control.moves, select(control.takes, edge.high_addend, half_t(high)), edge.high);
+        next.overflow = select(control.moves, bit_t(bit_t(high[half_bits]) & control.counts), edge.overflow);
+        const half_t high_addend =
+            select(control.load, step.slc<half_bits>(half_bits), phase.slc<half_bits>(half_bits));
+        next.low_addend =
+            select(control.ready, select(control.load, low_t(step.slc<half_bits>(0)), start), edge.low_addend);
+        next.high_addend = select(control.ready, high_addend, edge.high_addend);
+        return next;
     }
 
-    /// The lower half takes step n + 1, the upper half step n.
-    static edge_t stepped(const edge_t& edge) {
-        const half_sum_t low = low_sum(edge.low, edge.step);
-        return {half_t(low), half_t(high_sum(edge)), bit_t(low[half_bits]), edge.step};
-    }
-
-    /// The carry out of the whole phase in the upper half's step.
-    static bit_t carry_of(const edge_t& edge) { return high_sum(edge)[half_bits]; }
-
-    static half_sum_t low_sum(const half_t& low, const phase_t& step) { return low + step.slc<half_bits>(0); }
-    static half_sum_t high_sum(const edge_t& edge) {
-        return edge.high + edge.step.slc<half_bits>(half_bits) + edge.carry;
-    }
-
-    static edge_t select_edge(bit_t choose, const edge_t& a, const edge_t& b) {
-        return {select(choose, a.low, b.low), select(choose, a.high, b.high), select(choose, a.carry, b.carry),
-                select(choose, a.step, b.step)};
-    }
-
-    static part_t upper_part(const geometry_t& g) {
-        return {g.rows_above, g.length, g.m, start_of(g.upper_phase, g.upper_step)};
-    }
-    static part_t lower_part(const geometry_t& g) {
-        return {g.rows_below, g.length_reload, g.m_below, start_of(g.lower_phase, g.lower_step)};
-    }
+    static part_t upper_part(const geometry_t& g) { return {g.rows_above, g.length, g.m}; }
+    static part_t lower_part(const geometry_t& g) { return {g.rows_below, g.length_reload, g.m_below}; }
     static part_t select_part(bit_t choose, const part_t& a, const part_t& b) {
-        return {select(choose, a.rows, b.rows), select(choose, a.length, b.length), select(choose, a.m, b.m),
-                select_edge(choose, a.end_edge, b.end_edge)};
+        return {select(choose, a.rows, b.rows), select(choose, a.length, b.length), select(choose, a.m, b.m)};
     }
 
     static coordinate_t inverted(bit_t invert, const coordinate_t& x) { return select(invert, coordinate_t(~x), x); }
