@@ -12,14 +12,16 @@
 #include "sheen/error.hpp"
 #include "sheen/reference.hpp"
 #include "sheen/render.hpp"
+#include "subdivide_options.hpp"
 
 namespace sheen::command {
 namespace {
 
 /// What the user asked for.
 struct RenderOptions {
-    explicit RenderOptions(CLI::App& command) : scene(command) {}
+    explicit RenderOptions(CLI::App& command) : scene(command), subdivide(command) {}
     SceneOptions scene;
+    SubdivideOptions subdivide;
     std::string method = "quadratic";
     std::string device = "hls";
     std::string image;
@@ -58,10 +60,21 @@ void check(const RenderOptions& options, Method method) {
     if (const std::optional<std::string> reason = why_impossible(method, options.device)) {
         throw UsageError(fmt::format("--method {} --device {}: {}", options.method, options.device, *reason));
     }
+    if (options.subdivide.subdivision()) {
+        if (const std::optional<std::string> reason = why_indivisible(method)) {
+            throw UsageError(fmt::format("--subdivide with --method {}: {}", options.method, *reason));
+        }
+    }
     if (options.device == reference_name && !(options.packets.empty() && options.pixels.empty())) {
         throw UsageError(fmt::format("{} with --device {}: it takes setups, not packets; give one of the devices",
                                      options.packets.empty() ? "--pixels" : "--packets", reference_name));
     }
+}
+
+/// The triangles to draw, split where the user asked for it.
+std::vector<ScreenTriangle> screen_triangles(const RenderOptions& options, Method method, const Scene& scene) {
+    const std::optional<Subdivision> subdivision = options.subdivide.subdivision();
+    return subdivision ? subdivide(method, {}, scene, project(scene, Uncovered::keep), *subdivision) : project(scene);
 }
 
 std::string summary(const RenderOptions& options, const Statistics& statistics) {
@@ -90,7 +103,7 @@ void render(const RenderOptions& options) {
         progress.show(0, steps, "loading " + options.scene.mesh());
         const Scene scene = options.scene.load();
         progress.show(1, steps, "projecting");
-        const std::vector<ScreenTriangle> triangles = project(scene);
+        const std::vector<ScreenTriangle> triangles = screen_triangles(options, method, scene);
         progress.show(2, steps, fmt::format("{} on {}", options.method, options.device));
         result = options.device == reference_name
                      ? draw_with_reference(method, scene, triangles)
@@ -115,7 +128,9 @@ void add_render(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Draw a mesh to a PNG");
     const auto options = std::make_shared<RenderOptions>(*command);
     add_output(*command, "-o,--output", options->image, "OUT.png", "The picture; - for standard output")->required();
-    command->add_option("--method", options->method, "flat, gouraud, quadratic; phong on the reference [quadratic]")
+    command
+        ->add_option("--method", options->method,
+                     "flat, gouraud, quadratic; on the reference all that `sheen info` names [quadratic]")
         ->type_name("M")
         ->group("Shading");
     command->add_option("--device", options->device, "hls, ghdl, verilator or reference [hls]")
