@@ -56,6 +56,12 @@ class EdgeVector {
     std::vector<GreatArc<Real>> arcs_;  ///< by SpanFrame::Side; empty: fixed
 };
 
+template <typename Real>
+std::array<Vec3<Real>, 3> vertex_normals(const ScreenTriangle& triangle) {
+    const auto& v = triangle.vertices;
+    return {Vec3<Real>(v[0].normal), Vec3<Real>(v[1].normal), Vec3<Real>(v[2].normal)};
+}
+
 /// What one light's terms are made of: diffuse of N and `to_light`, the highlight of N and H (Blinn), or of the
 /// mirrored light R and V (Phong).
 template <typename Real>
@@ -71,7 +77,7 @@ template <typename Real>
 class TriangleVectors {
  public:
     TriangleVectors(const Scene& scene, const ScreenTriangle& triangle)
-        : frame_(triangle.vertices), normal_(frame_, normals(triangle)) {
+        : frame_(triangle.vertices), normal_(frame_, vertex_normals<Real>(triangle)) {
         for (const Light& light : scene.lights) lights_.push_back(light_vectors(scene, triangle, light));
     }
     [[nodiscard]] const SpanFrame& frame() const { return frame_; }
@@ -80,11 +86,6 @@ class TriangleVectors {
 
  private:
     using Corners = std::array<Vec3<Real>, 3>;
-
-    static Corners normals(const ScreenTriangle& triangle) {
-        const auto& v = triangle.vertices;
-        return {Vec3<Real>(v[0].normal), Vec3<Real>(v[1].normal), Vec3<Real>(v[2].normal)};
-    }
 
     /// A light as a vertex sees it. Where that is the same everywhere it is made once for the scene, and so is free.
     static Incidence<Real> incidence_at(const Scene& scene, const Light& light, const ScreenVertex& vertex) {
@@ -98,7 +99,7 @@ class TriangleVectors {
 
     LightVectors<Real> light_vectors(const Scene& scene, const ScreenTriangle& triangle, const Light& light) const {
         const bool phong = triangle.material.brdf == Brdf::phong;
-        const Corners normal = normals(triangle);
+        const Corners normal = vertex_normals<Real>(triangle);
         Corners to_light, mirrored, against;
         bool has_highlight = true;
         for (std::size_t k = 0; k < 3; ++k) {

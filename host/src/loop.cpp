@@ -33,6 +33,10 @@ std::unique_ptr<Loop<Real>> make_loop(Method method, const MethodOptions& option
         case Method::taylor:
         case Method::taylor_finite:
             return make_taylor_loop<Real>(request);
+        case Method::spherical:
+            return make_spherical_loop<Real>(request);
+        case Method::recurrence:
+            return make_recurrence_loop<Real>(request);
         case Method::phong:
             return make_phong_loop<Real>(request);
         default:

@@ -27,6 +27,12 @@ std::unique_ptr<Loop<Real>> make_duff_loop(const LoopRequest& request);
 /// `taylor`, `taylor-finite`: series by forward differences, and the exponent table.
 template <typename Real>
 std::unique_ptr<Loop<Real>> make_taylor_loop(const LoopRequest& request);
+/// `spherical`: stepped angles and tables of cosines and bells.
+template <typename Real>
+std::unique_ptr<Loop<Real>> make_spherical_loop(const LoopRequest& request);
+/// `recurrence`: dot products from their two predecessors.
+template <typename Real>
+std::unique_ptr<Loop<Real>> make_recurrence_loop(const LoopRequest& request);
 /// `phong`: the normal interpolated and normalised at each pixel, and the reflection model with it.
 template <typename Real>
 std::unique_ptr<Loop<Real>> make_phong_loop(const LoopRequest& request);

@@ -19,7 +19,7 @@ class RecurrenceShader : public Shader {
  public:
     RecurrenceShader(const MethodOptions& options, const Scene& scene, const ScreenTriangle& triangle)
         : frame_(triangle.vertices),
-          normal_(frame_, {triangle.vertices[0].normal, triangle.vertices[1].normal, triangle.vertices[2].normal}),
+          normal_(frame_, vertex_normals<double>(triangle)),
           radiance_(scene, triangle),
           dots_(radiance_.directions(), options) {}
 
@@ -61,10 +61,6 @@ std::optional<std::string> why_not_recurrent(const Scene& scene) {
 
 std::unique_ptr<Shader> make_recurrence_shader(const MethodOptions& options, const Scene& scene,
                                                const ScreenTriangle& triangle) {
-    if (options.recurrence_pixels != 1 && options.recurrence_pixels != 4) {
-        throw UsageError(
-            fmt::format("method 'recurrence' with {} pixels a step: give 1 or 4", options.recurrence_pixels));
-    }
     return std::make_unique<RecurrenceShader>(options, scene, triangle);
 }
 

@@ -16,17 +16,17 @@ namespace sheen {
 template <typename Real>
 class RecurrentDots {
  public:
-    /// `pixels` a step, 1 or 4.
+    /// \throws UsageError for a number of pixels a step other than 1 or 4.
     RecurrentDots(std::vector<glm::dvec3> directions, const MethodOptions& options)
         : directions_(std::move(directions)),
-          pixels_(options.recurrence_pixels),
+          pixels_(checked(options.recurrence_pixels)),
           integer_index_(options.recurrence_integer_index),
           as_printed_(options.as_printed),
           now_(directions_.size()),
           before_(directions_.size()),
           ahead_(static_cast<std::size_t>(pixels_), std::vector<Real>(directions_.size())) {}
 
-    /// Begins at the centre of pixel x. The normal turns by ψ over the span, by φ from pixel to pixel; the paper's
+    /// Begins at the row's first pixel. The normal turns by ψ over the span, by φ from pixel to pixel; the paper's
     /// φ = ψ/m and angle tφ for the t-th of m pixels (`integer_index`) don't ask where pixels lie in the span.
     void start(const SpanFrame& frame, const SpanFrame::Span& span, const SpanEnds<Real>& normal, const PixelRow& row) {
         using std::cos;
@@ -42,7 +42,7 @@ class RecurrentDots {
             // A span narrower than a pixel has one: any step will do.
             phi = arc.angle() / Real(std::max(1.0, 1.0 / span.position_step()));
         }
-        step_ = RecurrenceStep<Real>(cos(phi), cos(phi + phi), pixels_ > 1, as_printed_);
+        step_ = RecurrenceStep<Real>(cos(phi), pixels_ > 1, as_printed_);
         const Vec3<Real> one_before = arc.at_angle(first - phi);
         const Vec3<Real> two_before = arc.at_angle(first - (phi + phi));
         for (std::size_t i = 0; i < directions_.size(); ++i) {
@@ -71,11 +71,16 @@ class RecurrentDots {
     }
 
  private:
+    static int checked(int pixels) {
+        if (pixels == 1 || pixels == 4) return pixels;
+        throw UsageError("method 'recurrence' with " + std::to_string(pixels) + " pixels a step: give 1 or 4");
+    }
+
     std::vector<glm::dvec3> directions_;
     int pixels_;
     bool integer_index_;
     bool as_printed_;
-    RecurrenceStep<Real> step_{Real(1.0), Real(1.0), false, false};
+    RecurrenceStep<Real> step_{Real(1.0), false, false};
     std::vector<Real> now_, before_;        ///< f(t) and f(t − 1)
     std::vector<std::vector<Real>> ahead_;  ///< the last step's pixels
     std::size_t ready_ = 0;                 ///< of which these, the last ones, are still to come

@@ -3,20 +3,13 @@
 /// Shaders of method `spherical`.
 #include "sheen/spherical.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "sheen/error.hpp"
 #include "spherical_span.hpp"
 
 namespace sheen {
 namespace {
-
-Bell make_bell(const MethodOptions& options, const Material& material) {
-    return {material.shininess, options.spherical_base, options.spherical_minimax};
-}
 
 /// Radiance from each light's diffuse and highlight term.
 class Sum {
@@ -113,10 +106,6 @@ std::optional<std::string> why_not_spherical(const Scene& scene) {
 
 std::unique_ptr<Shader> make_spherical_shader(const MethodOptions& options, const Scene& scene,
                                               const ScreenTriangle& triangle) {
-    if (!(options.spherical_base >= 0.0) || !std::isfinite(options.spherical_base)) {
-        throw UsageError(fmt::format("base {} of method 'spherical': give an exponent above 0, or 0 for the material's",
-                                     options.spherical_base));
-    }
     if (options.spherical_separate) return std::make_unique<SeparateShader>(options, scene, triangle);
     return std::make_unique<SphericalShader>(options, scene, triangle);
 }

@@ -3,6 +3,9 @@
 /// A span of method `spherical`, over any Real: drawn with double, priced with Counted.
 #pragma once
 
+#include <cmath>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "edge_vectors.hpp"
@@ -10,6 +13,15 @@
 #include "sheen/spherical.hpp"
 
 namespace sheen {
+
+/// The material's bell. \throws UsageError for a base that is negative or not finite.
+inline Bell make_bell(const MethodOptions& options, const Material& material) {
+    if (!(options.spherical_base >= 0.0) || !std::isfinite(options.spherical_base)) {
+        throw UsageError("base cos^" + std::to_string(options.spherical_base) +
+                         " of method 'spherical': give an exponent above 0, or 0 for the material's own");
+    }
+    return {material.shininess, options.spherical_base, options.spherical_minimax};
+}
 
 /// One light's terms along a span: diffuse max(0, A·cos ξ), highlight Aⁿ·bell(ξ), each with an angle ξ of its own,
 /// linear in the pixel.

@@ -30,12 +30,13 @@ class RecurrenceStep {
         Real before{0.0};
     };
 
-    /// From cos φ and cos 2φ. Without `four` only the first weights are made.
-    RecurrenceStep(Real c, Real c2, bool four, bool as_printed) {
+    /// From c = cos φ. Without `four` only the first weights are made.
+    RecurrenceStep(Real c, bool four, bool as_printed) {
         const Real one(1.0);
         const Real twice = c + c;
         weights_[0] = {twice, -one};
         if (!four) return;
+        const Real c2 = twice * c - one;  // cos 2φ
         const Real twice_c2 = c2 + c2;
         weights_[1] = {twice_c2 + one, -twice};
         if (as_printed) {
