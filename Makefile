@@ -69,6 +69,7 @@ help:
 	@echo "  format        bring all C++ into the project's format"
 	@echo "  test-ip       each core of make ip in a folder of its own: Icarus, Verilator, GHDL"
 	@echo "  fpga          cores on FPGAs: area, clock, bitstreams in build/fpga, table in docs/fpga.md; BOARD=: its bitstream"
+	@echo "  formal        proves that architectures for FPGA families equal the plain ones"
 	@echo "  test-area     area of every unit and core against tests/area; UPDATE=1 records it"
 	@echo "  bench         pixels per clock, speed of devices, kernels and host: tables in docs/benchmarks.md, plots in build/bench"
 	@echo "  ip            cores to take away, in build/ip: one Verilog file, VHDL, example, FuseSoC file each"
@@ -171,6 +172,11 @@ test-native: build
 
 test-vhdl: build
 	@$(VENV)/python testbench/run.py --output-path build/vunit -p $(JOBS)
+
+# Architectures of one entity for several families: proofs that they are equal.
+.PHONY: formal
+formal: $(SETUP)
+	@scripts/formal.sh
 
 .PHONY: cosim test-pictures test-pictures-full
 cosim: test-vhdl test-pictures

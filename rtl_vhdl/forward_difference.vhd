@@ -22,9 +22,10 @@
 --   slice 0    I(15..0)  + c -> carry register
 --   slice 1                     I(31..16) + carry
 --
--- Commands are seen a clock before they act: the edge part chooses its addends in the meantime, so that nothing stands
--- before an adder, and one multiplexer behind it. For that a carry comes in the clock after its step, and the first
--- step not before the second clock after a load; the edge walker sees to both.
+-- Commands are seen a clock before they act: the edge part chooses the addends of D and E in the meantime. Its I acts a
+-- clock after D and E, whose choice for I is then a register, too, so that nothing stands before or behind an adder.
+-- For that a carry comes in the clock after its step, the first step not before the second clock after a load, and a
+-- fetch not before the second clock after the push of its entry; walkers and span queue see to all three.
 --
 -- Number format: the channel's, the same for all six words (colour s10.22, depth u16.16; narrower channels take the
 -- low `width` bits of each word). Latency: 2 clocks from a command to slice 0, one more for each
@@ -45,7 +46,8 @@ entity forward_difference is
     width        : positive := word_bits;
     slices       : positive := 2;
     second_order : boolean  := true;
-    value_bits   : positive := colour_integer_bits
+    value_bits   : positive := colour_integer_bits;
+    family       : string   := "plain"  -- of the accumulators
   );
   port (
     clk     : in std_ulogic;
@@ -67,8 +69,13 @@ architecture rtl of forward_difference is
   constant slice_width : positive := (width + slices - 1) / slices;
 
   type command_vector_t is array (natural range <>) of channel_command_t;
-  signal commands : command_vector_t(0 to slices);     -- of slice k: number k + 1; number k is what comes next
-  signal presents : std_ulogic_vector(0 to slices);
+  -- Of slice k: number k + 1; number k comes next, number k + 2 was before and is the edge part's I's.
+  signal commands : command_vector_t(0 to slices + 1);
+
+  -- Loads or steps, of both parts.
+  signal edge_moves : std_ulogic_vector(0 to slices + 1);
+  signal span_moves : std_ulogic_vector(0 to slices + 1);
+  signal presents   : std_ulogic_vector(0 to slices);
 
   -- Carries into slice k; into slice 0 there is none.
   subtype carries_t is std_ulogic_vector(0 to slices);
@@ -95,222 +102,229 @@ begin
   span_i_carry(0) <= '0';
   span_d_carry(0) <= '0';
   commands(0)     <= command;
+  edge_moves(0)   <= command.edge_part.load or command.edge_part.step;
+  span_moves(0)   <= command.span_part.load or command.span_part.step;
   presents(0)     <= present;
 
-  skew : for k in 1 to slices generate
-    commands(k) <= commands(k - 1) when rising_edge(clk);
-    presents(k) <= presents(k - 1) when rising_edge(clk);
-  end generate skew;
+  skew : process (clk) is
+  begin
+    if rising_edge(clk) then
+      commands(1 to slices + 1)   <= commands(0 to slices);
+      edge_moves(1 to slices + 1) <= edge_moves(0 to slices);
+      span_moves(1 to slices + 1) <= span_moves(0 to slices);
+      presents(1 to slices)       <= presents(0 to slices - 1);
+    end if;
+  end process skew;
 
   slice : for k in 0 to slices - 1 generate
     constant low  : natural := k * slice_width;
     constant high : natural := minimum(width, low + slice_width) - 1;
     constant bits : positive := high - low + 1;
     subtype slice_t is unsigned(bits - 1 downto 0);
+    type memory_t is array (0 to 2 ** span_queue_log2 - 1) of slice_t;
 
-    signal c           : channel_command_t;
-    signal present_now : std_ulogic;
-    signal carry_next  : std_ulogic;  -- the next clock's step is a carry
-    signal edge_i      : slice_t;
-    signal edge_d      : slice_t;
-    signal edge_e      : slice_t;
-    signal edge_h      : slice_t;
-    signal span_i      : slice_t;
-    signal span_d      : slice_t;
-    signal i_addend    : slice_t;     -- D before a carry, else E
-    signal i_sum       : unsigned(bits downto 0);
-    signal next_i      : unsigned(bits downto 0);
-    signal head_i      : slice_t;
+    signal next_one : channel_command_t;
+    signal now      : channel_command_t;
+    signal late     : channel_command_t;
+    signal absent   : std_ulogic;
+    signal edge_i   : slice_t;
+    signal edge_d   : slice_t;
+    signal edge_e   : slice_t;
+    signal span_i   : slice_t;
+    signal span_d   : slice_t;
+    signal i_start  : slice_t;  -- the edge part's I's word
+    signal i_addend : slice_t;  -- D with a carry, else E
+    signal queue_i  : memory_t;
+    signal head_i   : slice_t;
 
     type slice_vector_t is array (natural range <>) of slice_t;
     signal word : slice_vector_t(0 to words'length - 1);
   begin
 
-    c           <= commands(k + 1);
-    present_now <= presents(k + 1);
-    carry_next  <= commands(k).edge_part.carry;
+    next_one <= commands(k);
+    now      <= commands(k + 1);
+    late     <= commands(k + 2);
+    absent   <= not presents(k + 1);
 
     cut : for n in word'range generate
       word(n) <= unsigned(words(n)(high downto low));
     end generate cut;
 
-    -- Edge part: I.
-    i_sum <= add_with_carry(edge_i, i_addend, edge_i_carry(k));
-
-    edge_start : process (clk) is
+    -- Edge part: I, a clock after its slopes.
+    i_operands : process (clk) is
     begin
       if rising_edge(clk) then
-        if c.edge_part.load then
-          edge_i <= word(0);
-          if not present_now then
-            edge_i <= (others => '0');
-          end if;
-        elsif c.edge_part.step then
-          edge_i              <= i_sum(bits - 1 downto 0);
-          edge_i_carry(k + 1) <= i_sum(bits);
+        i_addend <= edge_d when now.edge_part.carry else edge_e;
+        i_start  <= word(0);
+        if absent then
+          i_start <= (others => '0');
         end if;
       end if;
-    end process edge_start;
+    end process i_operands;
+
+    edge_start : entity sheen.accumulator
+      generic map (
+        width  => bits,
+        family => family
+      )
+      port map (
+        clk       => clk,
+        enable    => edge_moves(k + 2),
+        load      => late.edge_part.load,
+        start     => i_start,
+        addend    => i_addend,
+        carry_in  => edge_i_carry(k),
+        value     => edge_i,
+        carry_out => edge_i_carry(k + 1)
+      );
+
+    -- I's share of the span queue.
+    starts : process (clk) is
+    begin
+      if rising_edge(clk) then
+        if late.push then
+          queue_i(to_integer(late.push_address)) <= edge_i;
+        end if;
+        if now.fetch then
+          head_i <= queue_i(to_integer(now.fetch_address));
+        end if;
+      end if;
+    end process starts;
 
     -- Span part: I.
-    next_i <= add_with_carry(span_i, span_d, span_i_carry(k));
-
-    span_start : process (clk) is
-    begin
-      if rising_edge(clk) then
-        if c.span_part.load then
-          span_i <= head_i;
-        elsif c.span_part.step then
-          span_i              <= next_i(bits - 1 downto 0);
-          span_i_carry(k + 1) <= next_i(bits);
-        end if;
-      end if;
-    end process span_start;
+    span_start : entity sheen.accumulator
+      generic map (
+        width  => bits,
+        family => family
+      )
+      port map (
+        clk       => clk,
+        enable    => span_moves(k + 1),
+        load      => now.span_part.load,
+        start     => head_i,
+        addend    => span_d,
+        carry_in  => span_i_carry(k),
+        value     => span_i,
+        carry_out => span_i_carry(k + 1)
+      );
 
     -- The slopes: second-order ones are accumulators of their own, linear ones are constants of the triangle.
     curved : if second_order generate
+      signal edge_h   : slice_t;
       signal edge_dd  : slice_t;
       signal edge_de  : slice_t;
       signal span_h   : slice_t;
+      signal d_start  : slice_t;
+      signal e_start  : slice_t;
+      signal d_addend : slice_t;  -- h with a carry, else dD
+      signal e_addend : slice_t;  -- dD with a carry, else dE
+      signal queue_d  : memory_t;
       signal head_d   : slice_t;
-      signal loaded   : std_ulogic := '0';
-      signal d_addend : slice_t;
-      signal e_addend : slice_t;
-      signal d_sum    : unsigned(bits downto 0);
-      signal e_sum    : unsigned(bits downto 0);
-      signal next_d   : unsigned(bits downto 0);
-
-      type memory_t is array (0 to 2 ** span_queue_log2 - 1) of std_ulogic_vector(2 * bits - 1 downto 0);
-      signal memory : memory_t;
-      signal head   : std_ulogic_vector(2 * bits - 1 downto 0);
     begin
 
-      d_sum <= add_with_carry(edge_d, d_addend, edge_d_carry(k));
-      e_sum <= add_with_carry(edge_e, e_addend, edge_e_carry(k));
+      d_start <= word(1) when not absent else (others => '0');
+      e_start <= word(2) when not absent else (others => '0');
 
-      -- In the clock after a load E + 0 goes to I's addend, so that no word needs a way to it.
-      addends : process (clk) is
+      second_differences : process (clk) is
       begin
         if rising_edge(clk) then
-          loaded   <= c.edge_part.load;
-          d_addend <= edge_h when carry_next else edge_dd;
-          e_addend <= edge_dd when carry_next else edge_de;
-          if c.edge_part.load then
-            e_addend <= (others => '0');
-          end if;
-          if c.edge_part.step or loaded then
-            i_addend <= d_sum(bits - 1 downto 0) when carry_next else e_sum(bits - 1 downto 0);
-          end if;
-        end if;
-      end process addends;
-
-      edge_slopes : process (clk) is
-      begin
-        if rising_edge(clk) then
-          if c.edge_part.load then
-            edge_d  <= word(1);
-            edge_e  <= word(2);
+          d_addend <= edge_h when next_one.edge_part.carry else edge_dd;
+          e_addend <= edge_dd when next_one.edge_part.carry else edge_de;
+          if now.edge_part.load then
             edge_h  <= word(3);
             edge_dd <= word(4);
             edge_de <= word(5);
-
-            edge_e_carry(k + 1) <= '0';
-            if c.edge_part.linear or not present_now then
+            if now.edge_part.linear or absent then
               edge_h  <= (others => '0');
               edge_dd <= (others => '0');
               edge_de <= (others => '0');
             end if;
-            if not present_now then
-              edge_d <= (others => '0');
-              edge_e <= (others => '0');
-            end if;
-          elsif c.edge_part.step then
-            edge_d              <= d_sum(bits - 1 downto 0);
-            edge_d_carry(k + 1) <= d_sum(bits);
-            edge_e              <= e_sum(bits - 1 downto 0);
-            edge_e_carry(k + 1) <= e_sum(bits);
+          end if;
+          if now.span_part.load and now.span_part.first then
+            span_h <= edge_h;
           end if;
         end if;
-      end process edge_slopes;
+      end process second_differences;
 
-      next_d <= add_with_carry(span_d, span_h, span_d_carry(k));
+      edge_slope : entity sheen.accumulator
+        generic map (
+          width  => bits,
+          family => family
+        )
+        port map (
+          clk       => clk,
+          enable    => edge_moves(k + 1),
+          load      => now.edge_part.load,
+          start     => d_start,
+          addend    => d_addend,
+          carry_in  => edge_d_carry(k),
+          value     => edge_d,
+          carry_out => edge_d_carry(k + 1)
+        );
 
-      span_slope : process (clk) is
+      row_slope : entity sheen.accumulator
+        generic map (
+          width  => bits,
+          family => family
+        )
+        port map (
+          clk       => clk,
+          enable    => edge_moves(k + 1),
+          load      => now.edge_part.load,
+          start     => e_start,
+          addend    => e_addend,
+          carry_in  => edge_e_carry(k),
+          value     => edge_e,
+          carry_out => edge_e_carry(k + 1)
+        );
+
+      -- D's share of the span queue.
+      slopes : process (clk) is
       begin
         if rising_edge(clk) then
-          if c.span_part.load then
-            span_d <= head_d;
-            if c.span_part.first then
-              span_h <= edge_h;
-            end if;
-          elsif c.span_part.step then
-            span_d              <= next_d(bits - 1 downto 0);
-            span_d_carry(k + 1) <= next_d(bits);
+          if now.push then
+            queue_d(to_integer(now.push_address)) <= edge_d;
+          end if;
+          if now.fetch then
+            head_d <= queue_d(to_integer(now.fetch_address));
           end if;
         end if;
-      end process span_slope;
+      end process slopes;
 
-      queue : process (clk) is
-      begin
-        if rising_edge(clk) then
-          if c.push then
-            memory(to_integer(c.push_address)) <= std_ulogic_vector(edge_d) & std_ulogic_vector(edge_i);
-          end if;
-          if c.fetch then
-            head <= memory(to_integer(c.fetch_address));
-          end if;
-        end if;
-      end process queue;
-
-      head_i <= unsigned(head(bits - 1 downto 0));
-      head_d <= unsigned(head(2 * bits - 1 downto bits));
+      span_slope : entity sheen.accumulator
+        generic map (
+          width  => bits,
+          family => family
+        )
+        port map (
+          clk       => clk,
+          enable    => span_moves(k + 1),
+          load      => now.span_part.load,
+          start     => head_d,
+          addend    => span_h,
+          carry_in  => span_d_carry(k),
+          value     => span_d,
+          carry_out => span_d_carry(k + 1)
+        );
 
     else generate
-      type memory_t is array (0 to 2 ** span_queue_log2 - 1) of std_ulogic_vector(bits - 1 downto 0);
-      signal memory : memory_t;
-    begin
 
-      addend : process (clk) is
+      constant_slopes : process (clk) is
       begin
         if rising_edge(clk) then
-          i_addend <= edge_d when carry_next else edge_e;
-        end if;
-      end process addend;
-
-      edge_slopes : process (clk) is
-      begin
-        if rising_edge(clk) then
-          if c.edge_part.load then
+          if now.edge_part.load then
             edge_d <= word(1);
             edge_e <= word(2);
-            if not present_now then
+            if absent then
               edge_d <= (others => '0');
               edge_e <= (others => '0');
             end if;
           end if;
-        end if;
-      end process edge_slopes;
-
-      span_slope : process (clk) is
-      begin
-        if rising_edge(clk) then
-          if c.span_part.load and c.span_part.first then
+          if now.span_part.load and now.span_part.first then
             span_d <= edge_d;
           end if;
         end if;
-      end process span_slope;
-
-      queue : process (clk) is
-      begin
-        if rising_edge(clk) then
-          if c.push then
-            memory(to_integer(c.push_address)) <= std_ulogic_vector(edge_i);
-          end if;
-          if c.fetch then
-            head_i <= unsigned(memory(to_integer(c.fetch_address)));
-          end if;
-        end if;
-      end process queue;
+      end process constant_slopes;
 
     end generate curved;
 

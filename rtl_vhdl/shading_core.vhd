@@ -32,7 +32,8 @@ entity shading_core is
     has_quadratic  : boolean  := true;       -- second-order colour channels; without: flat and gouraud only
     colour_width   : positive := word_bits;  -- 10 bits of it integer
     depth_width    : positive := word_bits;  -- 16 bits of it integer
-    slices         : positive := 2           -- each accumulator is cut into so many, one clock apart
+    slices         : positive := 2;          -- each accumulator is cut into so many, one clock apart
+    family         : string   := "plain"     -- accumulators for any FPGA, or for "ecp5"
   );
   port (
     clk : in std_ulogic;
@@ -260,6 +261,7 @@ begin
       generic map (
         width        => colour_width,
         slices       => slices,
+        family       => family,
         second_order => has_quadratic,
         value_bits   => colour_integer_bits
       )
@@ -279,6 +281,7 @@ begin
       generic map (
         width        => depth_width,
         slices       => slices,
+        family       => family,
         second_order => false,
         value_bits   => depth_bits
       )

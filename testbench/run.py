@@ -50,6 +50,7 @@ def main():
     sheen = vunit.add_library("sheen")
     for name in (RTL / "files.txt").read_text(encoding="utf-8").split():
         sheen.add_source_file(RTL / name)
+    sheen.add_source_files(BENCH / "models" / "*.vhd")
     sheen.add_source_files(ROOT / "constraints" / "*" / "*.vhd")
     bench = vunit.add_library("bench")
     bench.add_source_files(BENCH / "*.vhd")

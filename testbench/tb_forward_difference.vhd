@@ -28,6 +28,7 @@ entity tb_forward_difference is
     width         : positive;
     slices        : positive;
     second_order  : boolean;
+    family        : string;
     stall_percent : natural;
     count         : positive;
     seed          : positive;
@@ -166,7 +167,8 @@ begin
       width        => width,
       slices       => slices,
       second_order => second_order,
-      value_bits   => value_bits
+      value_bits   => value_bits,
+      family       => family
     )
     port map (
       clk     => clk,

@@ -12,8 +12,9 @@ UNITS = {
     ),
     "span_walker": ((), [()]),
     "forward_difference": (
-        ("width", "slices", "second_order"),
-        list(product((32, 24, 18), (1, 2, 3), (False, True))),
+        ("width", "slices", "second_order", "family"),
+        [*product((32, 24, 18), (1, 2, 3), (False, True), ("plain",)),
+         *product((32, 18), (2, 3), (False, True), ("ecp5",))],
     ),
     "colour_stage": (("colour_width", "depth_width"), [(32, 32), (24, 24), (18, 18)]),
 }

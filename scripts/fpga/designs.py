@@ -18,6 +18,11 @@ class Core:
     about: str
     generics: dict = field(default_factory=dict)
     sources: tuple = ()  # besides those of rtl_vhdl/files.txt
+    families: tuple = ()  # those that its generic `family` knows; on others it is plain
+
+    def generics_for(self, family):
+        """The generics for parts of a family."""
+        return {**self.generics, "family": family} if family in self.families else self.generics
 
 
 @dataclass(frozen=True)
@@ -54,7 +59,7 @@ def shading_core(wanted):
         if name == wanted:
             words, depth, quadratic, about = fields
             return Core("shading_core", about, {"words_per_beat": int(words), "has_depth": depth == "true",
-                                                "has_quadratic": quadratic == "true"})
+                                                "has_quadratic": quadratic == "true"}, families=("ecp5",))
     raise KeyError(f"scripts/ip/cores.txt has no core {wanted}")
 
 

@@ -49,8 +49,9 @@ def build_core(core, part, seeds, jobs, progress):
     """Map, place and route one core on one part, with every seed; the bitstream is the fastest seed's."""
     design, target = CORES[core], PARTS[part]
     progress.show(f"{core}: synthesis for {target.family}")
-    verilog = to_verilog(BUILD / core, design.entity, design.generics, design.sources)
-    netlist = to_netlist(BUILD / core / target.family, target.family, verilog, design.entity, wrapped=True)
+    mapped = BUILD / core / target.family
+    verilog = to_verilog(mapped, design.entity, design.generics_for(target.family), design.sources)
+    netlist = to_netlist(mapped, target.family, verilog, design.entity, wrapped=True)
     folder = BUILD / core / part
 
     def run(seed):

@@ -12,6 +12,7 @@ from synthesis import digest, fresh
 TEXT = {"ecp5": "--textcfg", "ice40": "--asc"}
 UNCONSTRAINED = {"ecp5": "--lpf-allow-unconstrained", "ice40": "--pcf-allow-unconstrained"}
 CONSTRAINED = {"ecp5": "--lpf", "ice40": "--pcf"}
+EFFORT = {"ecp5": ("--placer-heap-timingweight", "30"), "ice40": ()}
 NEXTPNR = {"ecp5": "nextpnr-ecp5", "ice40": "nextpnr-ice40"}
 
 # How nextpnr-ice40 tells what its logic cells hold.
@@ -40,6 +41,7 @@ def place_and_route(netlist, part, seed, folder, constraints=None):
     text = folder / f"seed-{seed}.text"
     log = folder / f"seed-{seed}.log"
     arguments = [*part.arguments, "--seed", seed, "--freq", part.target, "--timing-allow-fail"]
+    arguments += EFFORT[part.family]
     arguments += [CONSTRAINED[part.family], constraints] if constraints else [UNCONSTRAINED[part.family]]
     stamp = folder / f"seed-{seed}.digest"
     constrained = [constraints] if constraints else []

@@ -86,9 +86,11 @@ def script(folder, family, verilog, top, wrapped):
     """The yosys commands that map `top`, and, apart from it, the harness around it.
 
     No queue reads a place in the clock in which it writes it (stream_fifo fetches what it stored, and writes where
-    there is room), so memories need no logic for that case: -no-rw-check.
+    there is room), so memories need no logic for that case: -no-rw-check. For a carry cell that a source
+    instantiates GHDL writes an empty module each time, and its strings as vectors, which nextpnr does not take.
     """
-    yield f"read_verilog -sv {verilog}"
+    yield f"read_verilog -sv -overwrite {verilog}"
+    yield 'setparam -set INJECT1_0 "NO" -set INJECT1_1 "NO" t:CCU2C'
     yield f"{SYNTH[family]} -no-rw-check -top {top}"
     yield f"tee -q -o {folder}/cells.json stat -json"
     if wrapped:

@@ -40,7 +40,8 @@ UNITS = {
     "packet_decoder": Core("packet_decoder", "of the default core"),
     "edge_walker": Core("edge_walker", ""),
     "span_walker": Core("span_walker", ""),
-    "forward_difference": Core("forward_difference", "a second-order colour channel", {"slices": 2}),
+    "forward_difference": Core("forward_difference", "a second-order colour channel", {"slices": 2},
+                               families=("ecp5",)),
     "colour_stage": Core("colour_stage", ""),
     "line_interpolator": Core("line_interpolator", "22 bits", {"phase_bits": 22, "ra_bits": 12}),
     "bell_rom": Core("bell_rom", "cos^9.5, 256 words",
@@ -77,10 +78,10 @@ def measure(jobs):
 
     def measure_one(name):
         design, folder = designs[name], BUILD / "area" / name
-        verilog = to_verilog(folder, design.entity, design.generics, design.sources)
         found = {}
         for family in CELLS:
             progress.show(f"{name} for {family}")
+            verilog = to_verilog(folder / family, design.entity, design.generics_for(family), design.sources)
             netlist = to_netlist(folder / family, family, verilog, design.entity, wrapped=False)
             found[family] = count(netlist.cells, family)
             progress.step()

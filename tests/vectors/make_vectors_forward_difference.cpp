@@ -4,8 +4,9 @@
 /// and a model of the channel's share of the span queue.
 ///
 /// A vector is one clock: commands, words, and the span part's I that they bring. Any order of legal commands occurs: a
-/// fetch reads only what was pushed, a span starts only from a fetched entry, the first step of the start edge comes
-/// not before the second clock after a load, and a carry in the clock after another step. The words stay for `held`
+/// fetch reads only what was pushed, not before the second clock after the push, a span starts only from a fetched
+/// entry, the first step of the start edge comes not before the second clock after a load, and a carry in the clock
+/// after another step. The words stay for `held`
 /// clocks after a load, as long as the highest slice needs them; otherwise they are noise.
 #include <array>
 #include <random>
@@ -40,14 +41,15 @@ word_t random_word(std::mt19937_64& random) {
     return pick < 7 ? word_t(corners[pick]) : word_t(random());
 }
 
-/// Commands that keep the contract; the first four clocks load, push, fetch and start.
+/// Commands that keep the contract; the first clocks load, push, fetch and start.
 class Commands {
  public:
     Commands(unsigned seed, int stall_percent) : random_(seed), pauses_(stall_percent) {}
 
     command_t next() {
-        command_t c = clock_ < 4 ? lead_in() : pauses_.pause(random_) ? command_t{} : any();
+        command_t c = clock_ < 5 ? lead_in() : pauses_.pause(random_) ? command_t{} : any();
         if (c.push != 0) written_[c.push_address.to_uint()] = true;
+        pushed_ = c.push != 0 ? c.push_address.to_int() : none;
         since_load_ = c.edge.load != 0 ? 1 : since_load_ + 1;
         stepped_ = c.edge.step != 0;
         ++clock_;
@@ -60,8 +62,8 @@ class Commands {
         command_t c;
         c.edge.load = c.present = clock_ == 0;
         c.push = clock_ == 1;
-        c.fetch = clock_ == 2;
-        c.span.load = c.span.first = clock_ == 3;
+        c.fetch = clock_ == 3;
+        c.span.load = c.span.first = clock_ == 4;
         return c;
     }
     command_t any() {
@@ -74,7 +76,7 @@ class Commands {
         c.push = chance(3);
         c.push_address = random_();
         c.fetch_address = random_();
-        c.fetch = chance(3) && written_[c.fetch_address.to_uint()];
+        c.fetch = chance(3) && written_[c.fetch_address.to_uint()] && c.fetch_address.to_int() != pushed_;
         c.span.load = chance(10);
         c.span.first = chance(2);
         c.span.step = !chance(3);
@@ -82,12 +84,15 @@ class Commands {
     }
     bool chance(unsigned one_in) { return random_() % one_in == 0; }
 
+    static constexpr int none = -1;
+
     std::mt19937_64 random_;
     Pauses pauses_;
     int clock_ = 0;
     int since_load_ = 0;
     bool stepped_ = false;  ///< in the clock before
     std::array<bool, places> written_{};
+    int pushed_ = none;  ///< place written in the clock before
 };
 
 template <int width, bool second_order>
