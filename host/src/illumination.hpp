@@ -15,6 +15,13 @@
 
 namespace sheen {
 
+/// A point of a surface: position where it is needed, unit normal.
+template <typename Real>
+struct NodePoint {
+    Vec3<Real> position;
+    Vec3<Real> normal;
+};
+
 /// A scene's lights and eye. Where a light is directional and the eye at infinity its Incidence is the scene's, made
 /// once and free; otherwise it is made at each point.
 template <typename Real>
@@ -36,14 +43,20 @@ class Illumination {
     [[nodiscard]] bool needs_position() const { return needs_position_; }
     [[nodiscard]] bool perspective() const { return scene_.field_of_view.has_value(); }
 
+    /// Each light as a point sees it; `position` is looked at where needs_position().
+    [[nodiscard]] std::vector<Incidence<Real>> incidences(const Vec3<Real>& position) const {
+        const Vec3<Real> eye = perspective() && needs_position_ ? -normalised(position) : Vec3<Real>(0.0, 0.0, 1.0);
+        std::vector<Incidence<Real>> result;
+        for (std::size_t i = 0; i < fixed_.size(); ++i) {
+            result.push_back(fixed_[i] ? *fixed_[i] : incidence(scene_.lights[i], position, eye));
+        }
+        return result;
+    }
     /// In 8-bit steps, not clamped; `normal` is unit, `position` is looked at where needs_position().
     [[nodiscard]] Vec3<Real> radiance(const Vec3<Real>& position, const Vec3<Real>& normal) const {
-        const Vec3<Real> eye = perspective() && needs_position_ ? -normalised(position) : Vec3<Real>(0.0, 0.0, 1.0);
+        const std::vector<Incidence<Real>> at = incidences(position);
         Vec3<Real> sum(full_scale * material_.ambient);
-        for (std::size_t i = 0; i < fixed_.size(); ++i) {
-            const Light& light = scene_.lights[i];
-            sum += reflected(material_, light, fixed_[i] ? *fixed_[i] : incidence(light, position, eye), normal);
-        }
+        for (std::size_t i = 0; i < at.size(); ++i) sum += reflected(material_, scene_.lights[i], at[i], normal);
         return sum;
     }
     /// radiance() within the limits of a colour node.
@@ -53,8 +66,13 @@ class Illumination {
         for (int c = 0; c < 3; ++c) colour[c] = std::min(std::max(colour[c], -limit), limit);
         return colour;
     }
-    /// node() in the middle of an edge, as edge_node() has it.
+    /// node() in the middle of an edge.
     [[nodiscard]] Vec3<Real> edge_node(const ScreenVertex& a, const ScreenVertex& b) const {
+        const NodePoint<Real> middle = edge_point(a, b);
+        return node(middle.position, middle.normal);
+    }
+    /// The middle of an edge, as edge_node() of sheen/surface.hpp has it.
+    [[nodiscard]] NodePoint<Real> edge_point(const ScreenVertex& a, const ScreenVertex& b) const {
         const Vec3<Real> normal_a(a.normal);
         const Vec3<Real> normal_b(b.normal);
         const Vec3<Real> position_a(a.position);
@@ -71,7 +89,7 @@ class Illumination {
         constexpr double vanishing = 1e-6;
         const bool cancels =
             std::abs(value_of(normal.x)) + std::abs(value_of(normal.y)) + std::abs(value_of(normal.z)) < vanishing;
-        return node(position * Real(0.5), cancels ? Vec3<Real>(exact.normal) : normalised(normal));
+        return {position * Real(0.5), cancels ? Vec3<Real>(exact.normal) : normalised(normal)};
     }
 
  private:

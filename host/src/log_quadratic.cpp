@@ -8,9 +8,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <iterator>
 #include <numeric>
 
+#include "log_channels.hpp"
 #include "sheen/hls/formats.hpp"
 #include "sheen/surface.hpp"
 
@@ -22,14 +22,9 @@ constexpr double full_scale_log = 8.0;  ///< z of 2^0: a pixel's step
 constexpr double ln2 = 0.693147180559945309417;
 constexpr double tangent_exponent = 7.0;  ///< G at θ₀ unless 72° comes first
 constexpr double steepest_angle = 72.0;   ///< degrees
-constexpr double greatest_angle = 2.6;    ///< radians
 
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-/// −n·log₂ cos θ from sin²θ, which stays precise for the small angles of a large n.
-double log_cosine_power(double sine_squared, double shininess) {
-    return -0.5 * shininess * std::log1p(-sine_squared) / ln2;
-}
+/// −n·log₂ cos θ from sin θ, which stays precise for the small angles of a large n.
+double log_cosine_power(double sine, double shininess) { return -0.5 * shininess * std::log1p(-sine * sine) / ln2; }
 
 /// Radians between two vectors, precise at 0 and π too.
 double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
@@ -42,7 +37,7 @@ double highlight_angle(Brdf brdf, const Light& light, const SurfacePoint& point)
     const glm::dvec3 to_light = light.direction_from(point.position);
     if (brdf == Brdf::phong) return angle_between(glm::reflect(-to_light, point.normal), point.to_eye);
     const glm::dvec3 half = to_light + point.to_eye;
-    return glm::length(half) > 0.0 ? angle_between(point.normal, half) : greatest_angle;
+    return glm::length(half) > 0.0 ? angle_between(point.normal, half) : LogBellTangent::farthest;
 }
 
 /// The six points of a triangle at which it is shaded.
@@ -66,47 +61,18 @@ double quadratic_at(const std::array<double, 6>& nodes, const glm::dvec3& weight
     return sum;
 }
 
-/// Who draws which light's highlight.
-struct Highlights {
-    std::vector<std::vector<Light>> logarithmic;  ///< a log channel each: lights of one tint
-    std::vector<Light> in_colour;
-};
-
-glm::dvec3 tint_of(const Light& light) { return light.colour / largest(light.colour); }
-
-Highlights assign_channels(const MethodOptions& options, const Material& material, const std::vector<Light>& lights) {
-    Highlights result;
-    if (material.specular <= 0.0) return result;
-    std::vector<Light> bright;
-    std::copy_if(lights.begin(), lights.end(), std::back_inserter(bright),
-                 [](const Light& light) { return largest(light.colour) > 0.0; });
-    std::stable_sort(bright.begin(), bright.end(),
-                     [](const Light& a, const Light& b) { return largest(a.colour) > largest(b.colour); });
-    for (const Light& light : bright) {
-        const auto same_tint = std::find_if(result.logarithmic.rbegin(), result.logarithmic.rend(),
-                                            [&](const auto& of) { return tint_of(of.front()) == tint_of(light); });
-        if (result.logarithmic.size() < options.log_channels) {
-            result.logarithmic.push_back({light});
-        } else if (same_tint != result.logarithmic.rend()) {
-            same_tint->push_back(light);
-        } else {
-            result.in_colour.push_back(light);
-        }
-    }
-    return result;
-}
-
 /// The common highlight of lights of one tint: z = −log₂ Σ 2^(−zᵢ), which is near the brightest one's alone.
 LogHighlight log_highlight(const MethodOptions& options, const Material& material, const std::vector<Light>& lights,
-                           const std::array<SurfacePoint, 6>& points) {
+                           const std::vector<std::size_t>& of_channel, const std::array<SurfacePoint, 6>& points) {
     LogHighlight highlight;
-    highlight.tint = tint_of(lights.front());
+    highlight.tint = tint_of(lights[of_channel.front()]);
     for (std::size_t k = 0; k < points.size(); ++k) {
         std::vector<double> z;
-        for (const Light& light : lights) {
+        for (const std::size_t index : of_channel) {
+            const Light& light = lights[index];
+            const double peak = full_scale * material.specular * brightest_component(light);
             const double bell = log_bell(highlight_angle(material.brdf, light, points[k]), material.shininess);
-            z.push_back(full_scale_log - std::log2(full_scale * material.specular * largest(light.colour)) + bell);
-            z.back() = std::min(z.back(), options.log_node_limit);
+            z.push_back(std::min(full_scale_log - std::log2(peak) + bell, options.log_node_limit));
         }
         const double brightest = *std::min_element(z.begin(), z.end());
         const double sum = std::accumulate(z.begin(), z.end(), 0.0, [brightest](double total, double each) {
@@ -119,6 +85,32 @@ LogHighlight log_highlight(const MethodOptions& options, const Material& materia
 
 }  // namespace
 
+LogChannels assign_log_channels(const MethodOptions& options, const Material& material,
+                                const std::vector<Light>& lights) {
+    LogChannels result;
+    if (material.specular <= 0.0) return result;
+    std::vector<std::size_t> bright;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (brightest_component(lights[i]) > 0.0) bright.push_back(i);
+    }
+    std::stable_sort(bright.begin(), bright.end(), [&](std::size_t a, std::size_t b) {
+        return brightest_component(lights[a]) > brightest_component(lights[b]);
+    });
+    for (const std::size_t light : bright) {
+        const auto same_tint = std::find_if(
+            result.logarithmic.rbegin(), result.logarithmic.rend(),
+            [&](const auto& channel) { return tint_of(lights[channel.front()]) == tint_of(lights[light]); });
+        if (result.logarithmic.size() < options.log_channels) {
+            result.logarithmic.push_back({light});
+        } else if (same_tint != result.logarithmic.rend()) {
+            same_tint->push_back(light);
+        } else {
+            result.in_colour.push_back(light);
+        }
+    }
+    return result;
+}
+
 std::optional<std::string> why_not_logarithmic(const Scene& scene) {
     const auto fits = [](const Material& material) { return material.brdf != Brdf::cook_torrance; };
     const std::vector<Material>& materials = scene.mesh.materials;
@@ -129,14 +121,18 @@ std::optional<std::string> why_not_logarithmic(const Scene& scene) {
     return "log-quadratic draws powers of a cosine: give every material the model blinn or phong, or take quadratic";
 }
 
-double log_bell(double angle, double shininess) {
+LogBellTangent::LogBellTangent(double shininess) {
     const double sine_squared_of_seven = -std::expm1(-2.0 * ln2 * tangent_exponent / shininess);
-    const double start = std::min(std::asin(std::sqrt(sine_squared_of_seven)), glm::radians(steepest_angle));
-    const double sine = std::sin(std::min(angle, start));
-    const double bell = log_cosine_power(sine * sine, shininess);
-    if (angle <= start) return bell;
-    const double capped = std::min(angle, greatest_angle);
-    return bell + shininess / ln2 * std::tan(start) / (2.0 * start) * (capped * capped - start * start);
+    start = std::min(std::asin(std::sqrt(sine_squared_of_seven)), glm::radians(steepest_angle));
+    slope = shininess / ln2 * std::tan(start) / (2.0 * start);
+    line = log_cosine_power(std::sin(start), shininess) - slope * start * start;
+}
+
+double log_bell(double angle, double shininess) {
+    const LogBellTangent tangent(shininess);
+    if (angle <= tangent.start) return log_cosine_power(std::sin(angle), shininess);
+    const double capped = std::min(angle, LogBellTangent::farthest);
+    return tangent.line + tangent.slope * (capped * capped);
 }
 
 glm::dvec3 unclamped_diffuse(const Material& material, const std::vector<Light>& lights, const SurfacePoint& point) {
@@ -171,7 +167,9 @@ glm::dvec3 LogNodes::colour_at(const glm::dvec3& weights) const {
 LogNodes shade_log_nodes(const MethodOptions& options, const Scene& scene, const ScreenTriangle& triangle) {
     const std::array<SurfacePoint, 6> points = node_points(scene, triangle);
     const Material& material = triangle.material;
-    const Highlights highlights = assign_channels(options, material, scene.lights);
+    const LogChannels channels = assign_log_channels(options, material, scene.lights);
+    std::vector<Light> in_colour;
+    for (const std::size_t light : channels.in_colour) in_colour.push_back(scene.lights[light]);
     Material mirror = material;
     mirror.ambient = mirror.diffuse = glm::dvec3(0.0);
 
@@ -180,10 +178,10 @@ LogNodes shade_log_nodes(const MethodOptions& options, const Scene& scene, const
     const glm::dvec3 limit(hls::colour_node_limit);
     for (std::size_t k = 0; k < points.size(); ++k) {
         const glm::dvec3 diffuse = unclamped_diffuse(material, scene.lights, points[k]);
-        nodes.diffuse.colour[k] = glm::clamp(diffuse + shade(mirror, highlights.in_colour, points[k]), -limit, limit);
+        nodes.diffuse.colour[k] = glm::clamp(diffuse + shade(mirror, in_colour, points[k]), -limit, limit);
     }
-    for (const std::vector<Light>& of_one_tint : highlights.logarithmic) {
-        nodes.highlights.push_back(log_highlight(options, material, of_one_tint, points));
+    for (const std::vector<std::size_t>& of_channel : channels.logarithmic) {
+        nodes.highlights.push_back(log_highlight(options, material, scene.lights, of_channel, points));
     }
     return nodes;
 }

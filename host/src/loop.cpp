@@ -37,11 +37,12 @@ std::unique_ptr<Loop<Real>> make_loop(Method method, const MethodOptions& option
             return make_spherical_loop<Real>(request);
         case Method::recurrence:
             return make_recurrence_loop<Real>(request);
+        case Method::log_quadratic:
+            return make_log_quadratic_loop<Real>(request);
         case Method::phong:
             return make_phong_loop<Real>(request);
-        default:
-            return nullptr;
     }
+    throw Error("method number " + std::to_string(static_cast<int>(method)) + " does not exist");
 }
 
 template std::unique_ptr<Loop<double>> make_loop<double>(Method, const MethodOptions&, const Scene&,

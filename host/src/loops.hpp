@@ -33,6 +33,9 @@ std::unique_ptr<Loop<Real>> make_spherical_loop(const LoopRequest& request);
 /// `recurrence`: dot products from their two predecessors.
 template <typename Real>
 std::unique_ptr<Loop<Real>> make_recurrence_loop(const LoopRequest& request);
+/// `log-quadratic`: forward differences, then a table read and a shift for each highlight.
+template <typename Real>
+std::unique_ptr<Loop<Real>> make_log_quadratic_loop(const LoopRequest& request);
 /// `phong`: the normal interpolated and normalised at each pixel, and the reflection model with it.
 template <typename Real>
 std::unique_ptr<Loop<Real>> make_phong_loop(const LoopRequest& request);
