@@ -89,6 +89,22 @@ TEST_F(command_scene, each_option_changes_the_picture) {
               picture("builtin:sphere-168", {"--fresnel", ".1", "--roughness", ".2", "--brdf", "cook-torrance"}));
 }
 
+TEST_F(command_scene, options_override_their_component_in_the_meshs_own_materials) {
+    const std::string lines = "mtllib own.mtl\nusemtl own\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
+    write("own.obj", lines);
+    write("own.mtl", "newmtl own\nKa 0 0 0\nKd 0 1 0\nKs 0 0 0\nNs 10\n");
+    const Words light = {"--light", "0,0,1"};
+    const auto with = [&light](Words more) {
+        more.insert(more.end(), light.begin(), light.end());
+        return more;
+    };
+    const std::string own = picture("own.obj", light);
+    EXPECT_NE(own, picture("good.obj", light)) << "the file's material is not used";
+    EXPECT_EQ(own, picture("own.obj", with({"--kd", "0,1,0"}))) << "the file's own value changes nothing";
+    EXPECT_EQ(picture("own.obj", with({"--kd", "1,0,0"})),
+              picture("good.obj", with({"--ka", "0,0,0", "--kd", "1,0,0", "--ks", "0"})));
+}
+
 TEST_F(command_scene, a_flight_through_a_mesh_is_drawn_alike_by_reference_and_kernels) {
     for (const char* distance : {"0", ".4", "1"}) {
         const Outcome outcome = sheen({"compare", "builtin:torus-knot", "--perspective", "100", "--distance", distance,
