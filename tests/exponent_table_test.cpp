@@ -39,7 +39,7 @@ TEST(ExponentTable, OneKilobyteServesPowersTo20AndEightServe164WithinOnePercent)
 
 TEST(ExponentTable, ErrorIsTheSamplingErrorAndAtMostHalfAByteStep) {
     constexpr double half_step = 0.5 / 255.0;
-    for (const std::size_t bytes : {64, 256, 1024, 8192}) {
+    for (const std::size_t bytes : {64U, 256U, 1024U, 8192U}) {
         for (const double shininess : {1.0, 2.0, 5.0, 12.5, 20.0, 50.0, 164.0, 1000.0}) {
             const double sampling = ExponentTable::sampling_error(shininess, bytes);
             const double worst = worst_error(ExponentTable(shininess, bytes), shininess);

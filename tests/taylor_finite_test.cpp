@@ -54,34 +54,42 @@ TEST(TaylorFinite, AConstantVectorGivesTheSeriesOfTheInfiniteEye) {
     }
 }
 
+/// How far the printed coefficients are off, relative to 1 + |T|.
+std::array<double, 6> printed_errors(const LinearVector<double>& normal, const LinearVector<double>& half) {
+    const TaylorSeries<double> printed = printed_taylor_series(normal, half);
+    const std::array<double, 6> exact = cosine(jet_of(normal), jet_of(half)).series();
+    std::array<double, 6> errors{};
+    for (std::size_t t = 0; t < 6; ++t) errors[t] = std::abs(printed[t] - exact[t]) / (1.0 + std::abs(exact[t]));
+    return errors;
+}
+
 /// Errata: m, n, o in another order spoil T3, T4 and T5; T4 has two misprints more. T0, T1, T2 are right.
 TEST(TaylorFiniteErrata, PrintedSecondOrderIsWrongAndTheFirstRight) {
     Rng rng(seed + 2);
     std::array<double, 6> worst{};
-    double worst_of_t4_alone = 0.0;
+    double worst_of_fjlqr = 0.0;
+    double worst_of_ffnr = 0.0;
     for (int run = 0; run < 1000; ++run) {
-        const LinearVector<double> normal = random_linear(rng);
-        LinearVector<double> half = random_linear(rng);
-        const auto errors = [&] {
-            const TaylorSeries<double> printed = printed_taylor_series(normal, half);
-            const std::array<double, 6> exact = cosine(jet_of(normal), jet_of(half)).series();
-            std::array<double, 6> result{};
-            for (std::size_t t = 0; t < 6; ++t)
-                result[t] = std::abs(printed[t] - exact[t]) / (1.0 + std::abs(exact[t]));
-            return result;
-        };
-        const std::array<double, 6> error = errors();
-        for (std::size_t t = 0; t < 6; ++t) worst[t] = std::max(worst[t], error[t]);
-        // D·D = 2D·E = E·E hides the order of m, n and o: T3 and T5 are then right, and T4 still is not.
-        half.y = glm::length(half.x) * glm::normalize(half.x * 0.5 + glm::length(half.x) * std::sqrt(0.75) *
-                                                                         glm::normalize(glm::cross(half.x, half.y)));
-        const std::array<double, 6> ordered = errors();
-        ASSERT_LT(ordered[3] + ordered[5], 1e-9) << "run " << run;
-        worst_of_t4_alone = std::max(worst_of_t4_alone, ordered[4]);
+        LinearVector<double> normal = random_linear(rng);
+        const LinearVector<double> half = random_linear(rng);
+        const std::array<double, 6> errors = printed_errors(normal, half);
+        for (std::size_t t = 0; t < 6; ++t) worst[t] = std::max(worst[t], errors[t]);
+
+        // D = 0: n is 0 in either order, and of T4's misprints fjlqr alone is left.
+        worst_of_fjlqr = std::max(worst_of_fjlqr, printed_errors(normal, {glm::dvec3(0.0), half.y, half.constant})[4]);
+
+        // E at 60 degrees to D and as long: D·D = 2D·E = E·E hides the order. A at right angles to C: j = 0.
+        const glm::dvec3 across = glm::normalize(glm::cross(half.x, half.y));
+        const glm::dvec3 y = 0.5 * half.x + std::sqrt(0.75) * glm::length(half.x) * across;
+        normal.x = glm::cross(normal.x, normal.constant);
+        const std::array<double, 6> ordered = printed_errors(normal, {half.x, y, half.constant});
+        ASSERT_LT(ordered[3] + ordered[5], 1e-9) << "run " << run << ", seed " << seed + 2;
+        worst_of_ffnr = std::max(worst_of_ffnr, ordered[4]);
     }
     for (std::size_t t = 0; t < 3; ++t) EXPECT_LT(worst[t], 1e-10) << "T" << t;
     for (std::size_t t = 3; t < 6; ++t) EXPECT_GT(worst[t], 0.1) << "T" << t;
-    EXPECT_GT(worst_of_t4_alone, 0.1);
+    EXPECT_GT(worst_of_fjlqr, 0.1) << "-fjlqr";
+    EXPECT_GT(worst_of_ffnr, 0.1) << "-2f²nr";
     fmt::print("printed T3, T4, T5: up to {:.2f}, {:.2f}, {:.2f} off, relative\n", worst[3], worst[4], worst[5]);
 }
 

@@ -160,7 +160,8 @@ ErrorMeter curvature_error(double degrees) {
     walk_in(triangle, scene);
     ErrorMeter meter;
     for (int light = 0; light < 60; ++light) {
-        const double height = glm::radians(6.0 * (light / 4 + 1) - 3.0);
+        const int ring = light / 4;
+        const double height = glm::radians(6.0 * ring + 3.0);
         const double turn = glm::two_pi<double>() * light / 24.0;
         scene.lights = {Light()};
         scene.lights[0].vector = {std::cos(turn) * std::cos(height), std::sin(turn) * std::cos(height),
