@@ -14,34 +14,65 @@
 namespace sheen {
 namespace {
 
-constexpr int max_depth = 64;
+constexpr std::size_t max_depth = 64;
 constexpr std::size_t max_values = std::size_t{1} << 22;
+
+/// Counts what is parsed, and builds nothing. (A parser with a callback would take quadratic time.)
+class Limits : public nlohmann::json_sax<nlohmann::json> {
+ public:
+    Limits(const std::string& name, std::string_view text) : name_(name), text_(text) {}
+    bool null() override { return count(); }
+    bool boolean(bool /*value*/) override { return count(); }
+    bool number_integer(number_integer_t /*value*/) override { return count(); }
+    bool number_unsigned(number_unsigned_t /*value*/) override { return count(); }
+    bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return count(); }
+    bool string(string_t& /*value*/) override { return count(); }
+    bool binary(binary_t& /*value*/) override { return count(); }
+    bool key(string_t& /*value*/) override { return true; }
+    bool start_object(std::size_t /*size*/) override { return enter(); }
+    bool start_array(std::size_t /*size*/) override { return enter(); }
+    bool end_object() override { return leave(); }
+    bool end_array() override { return leave(); }
+
+    bool parse_error(std::size_t byte, const std::string& /*token*/,
+                     const nlohmann::json::exception& /*error*/) override {
+        const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text_.size()));
+        const auto line = 1 + std::count(text_.begin(), end, '\n');
+        throw Error(
+            fmt::format("{}:{}: no JSON from byte {} on; glTF files are JSON in double precision", name_, line, byte));
+    }
+
+ private:
+    bool count() {
+        if (++values_ > max_values) {
+            throw Error(
+                fmt::format("{}: the JSON has more than {} values, the most that Sheen reads", name_, max_values));
+        }
+        return true;
+    }
+    bool enter() {
+        if (++depth_ > max_depth) {
+            throw Error(fmt::format("{}: the JSON nests deeper than {}, the most that Sheen reads", name_, max_depth));
+        }
+        return count();
+    }
+    bool leave() {
+        --depth_;
+        return true;
+    }
+
+    const std::string& name_;
+    std::string_view text_;
+    std::size_t values_ = 0;
+    std::size_t depth_ = 0;
+};
 
 }  // namespace
 
 nlohmann::json parse_gltf_json(const std::string& name, std::string_view text) {
-    std::size_t values = 0;
-    const auto limit = [&](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& /*parsed*/) {
-        if (depth > max_depth) {
-            throw Error(fmt::format("{}: the JSON nests deeper than {}, the most that Sheen reads", name, max_depth));
-        }
-        using Event = nlohmann::json::parse_event_t;
-        values += event == Event::array_start || event == Event::object_start || event == Event::value ? 1 : 0;
-        if (values > max_values) {
-            throw Error(
-                fmt::format("{}: the JSON has more than {} values, the most that Sheen reads", name, max_values));
-        }
-        return true;
-    };
-    try {
-        return nlohmann::json::parse(text.begin(), text.end(), limit);
-    } catch (const nlohmann::json::parse_error& error) {
-        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        const auto line = 1 + std::count(text.begin(), end, '\n');
-        throw Error(fmt::format("{}:{}: no JSON from byte {} on; glTF files are JSON", name, line, error.byte));
-    } catch (const nlohmann::json::exception&) {
-        throw Error(name + ": the JSON holds a number beyond double precision");
-    }
+    Limits limits(name, text);
+    nlohmann::json::sax_parse(text.begin(), text.end(), &limits);
+    return nlohmann::json::parse(text.begin(), text.end());
 }
 
 void GltfField::fail(const std::string& problem) const {
