@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# What `make install` copies: headers (host and kernels), libsheen, the command, the VHDL, a CMake package that exports
-# sheen::sheen, and sheen.pc. Kernels need the user's own ac_types beside them.
+# What `make install` copies: headers (host and kernels), libsheen, the command, the program behind SSIM and FLIP, the
+# VHDL, a CMake package that exports sheen::sheen, and sheen.pc. Kernels need the user's own ac_types beside them.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -11,6 +11,7 @@ if(TARGET sheen_command)
   install(TARGETS sheen_command)
 endif()
 install(DIRECTORY host/include/sheen hls/include/sheen TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp")
+install(FILES scripts/metrics/picture_metrics.py DESTINATION "${CMAKE_INSTALL_DATADIR}/sheen/metrics")
 install(DIRECTORY rtl_vhdl DESTINATION "${CMAKE_INSTALL_DATADIR}/sheen" FILES_MATCHING PATTERN "*.vhd")
 
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/sheen")

@@ -81,6 +81,7 @@ TEST_F(command, malformed_requests_exit_with_2_and_one_line_that_names_the_culpr
     expect_refusal({"compare", "good.obj", "--devices", "reference,loom", "--json", "out.json"}, 2, "loom");
     expect_refusal({"compare", "good.obj", "--lights", "candles"}, 2, "candles");
     expect_refusal({"compare", "good.obj", "--lights", ""}, 2, "--lights");
+    expect_refusal({"compare", "good.obj", "--json", "same", "--csv", "same"}, 2, "same");
     expect_refusal({"compare", "good.obj", "--lights", "measured", "--light", "0,0,1"}, 2, "--light");
     expect_refusal({"info", "--device", "abacus"}, 2, "abacus");
 }
@@ -101,6 +102,7 @@ TEST_F(command, an_unwritable_output_exits_with_1_and_leaves_no_other_output) {
         expect_refusal({"render", "good.obj", "--device", "reference", "--stats", "out.json", "-o", path}, 1, path);
         expect_refusal({"render", "good.obj", "--device", "reference", "-o", "out.png", "--stats", path}, 1, path);
         expect_refusal({"compare", "good.obj", "--devices", "reference", "-o", "out.png", "--json", path}, 1, path);
+        expect_refusal({"compare", "good.obj", "--devices", "reference", "--json", "out.json", "--csv", path}, 1, path);
         expect_refusal({"run", "odd.packets", "--device", "hls", "--pixels", path}, 1, path);
     }
 }
@@ -205,30 +207,6 @@ TEST_F(command, run_completes_the_pixel_file_despite_error_words_prints_each_and
     const std::string pixels = read("r");
     ASSERT_EQ(pixels.size(), read("q").size() + 16);
     EXPECT_TRUE(pixels.substr(8, pixels.size() - 16) == read("q")) << "the good packets' words differ";
-}
-
-TEST_F(command, compare_writes_a_row_per_method_and_device) {
-    const Outcome outcome =
-        sheen({"compare", "builtin:sphere-168", "--size", "60x50", "--json", "rows.json", "-o", "sheet.png"});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(read("sheet.png").substr(1, 3), "PNG");
-    const auto rows = nlohmann::json::parse(read("rows.json"));
-    ASSERT_EQ(rows.size(), 8U);
-    for (const auto& row : rows) {
-        SCOPED_TRACE(row.dump());
-        const bool is_phong = row.at("method") == "phong";
-        const bool on_reference = row.at("device") == "reference";
-        EXPECT_EQ(row.count("reason"), is_phong && !on_reference ? 1U : 0U);
-        EXPECT_EQ(row.at("psnr").is_null(), is_phong);
-        EXPECT_EQ(row.at("bit_exact").is_null(), on_reference || is_phong);
-        EXPECT_TRUE(row.at("cycles").is_null());
-        EXPECT_TRUE(row.at("pixels_per_clock").is_null());
-        EXPECT_EQ(row.at("pixels").is_null(), is_phong && !on_reference);
-        EXPECT_EQ(row.at("triangles").is_null(), is_phong && !on_reference);
-        EXPECT_EQ(row.at("max_error").is_null(), is_phong && !on_reference);
-    }
-    EXPECT_NE(outcome.out.find(" inf "), std::string::npos) << outcome.out;
-    EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 9) << outcome.out;
 }
 
 TEST_F(command, info_tells_version_formats_and_capabilities) {

@@ -11,6 +11,7 @@
 
 #include "sheen/error.hpp"
 #include "sheen/mesh.hpp"
+#include "sheen/picture_metrics.hpp"
 #include "sheen/reference.hpp"
 
 namespace {
@@ -161,15 +162,99 @@ TEST(compare, quadratic_is_nearer_to_phong_than_gouraud_and_gouraud_than_flat) {
               row_of(comparison, Method::gouraud, "reference").psnr + 6.0);
 }
 
-TEST(compare, progress_is_told_once_before_each_drawing) {
-    std::size_t next = 0;
-    (void)sheen::compare(sphere(20, 20), {{Method::flat, Method::gouraud}, {"reference"}, sheen::measured_lights()},
-                         [&next](std::size_t done, std::size_t total, const std::string& what) {
-                             EXPECT_EQ(done, next++);
-                             EXPECT_EQ(total, 8U);
-                             EXPECT_NE(what.find("reference"), std::string::npos) << what;
-                         });
-    EXPECT_EQ(next, 8U);
+TEST(compare, progress_is_told_once_before_each_drawing_each_cost_and_each_pictures_metrics) {
+    for (const bool metrics : {false, true}) {
+        const std::size_t total_steps = metrics ? 8 + 2 + 8 : 8 + 2;
+        std::size_t next = 0;
+        ComparisonRequest request{{Method::flat, Method::gouraud}, {"reference"}, sheen::measured_lights()};
+        request.picture_metrics = metrics;
+        (void)sheen::compare(sphere(20, 20), request,
+                             [&](std::size_t done, std::size_t total, const std::string& what) {
+                                 const char* word = next < 8 ? "reference" : next < 10 ? "cost" : "SSIM";
+                                 EXPECT_EQ(done, next++);
+                                 EXPECT_EQ(total, total_steps);
+                                 EXPECT_NE(what.find(word), std::string::npos) << what;
+                             });
+        EXPECT_EQ(next, total_steps);
+    }
+}
+
+TEST(compare, picture_metrics_are_of_the_8_bit_pictures_averaged_over_the_runs) {
+    ComparisonRequest request{{Method::gouraud, Method::quadratic, Method::phong}, {"reference", "hls"}, {}};
+    request.picture_metrics = true;
+    request.runs = sheen::measured_lights();
+    const Comparison all = sheen::compare(sphere(50, 40), request);
+    ASSERT_EQ(all.metrics_unavailable, "") << "`make setup` installs what is missing";
+
+    sheen::PictureMeter meter;  // the same pictures once more: those of a comparison a run
+    for (const auto& lights : request.runs) {
+        sheen::Scene scene = sphere(50, 40);
+        scene.lights = lights;
+        const auto phong = sheen::render_reference(Method::phong, scene, sheen::project(scene));
+        const Comparison one = sheen::compare(scene, {request.methods, request.devices, {}});
+        meter.expect(phong.image(), phong.covered);
+        for (const ComparisonRow& row : one.rows) {
+            if (row.reason.empty()) meter.add(row.picture);
+        }
+    }
+    const auto metrics = meter.measure().pairs;
+    ASSERT_EQ(metrics.size(), 4U * 5U);
+    for (std::size_t r = 0; r < 5; ++r) {
+        double ssim = 0.0;
+        double flip = 0.0;
+        for (std::size_t run = 0; run < 4; ++run) {
+            ssim += metrics[5 * run + r].ssim.value() / 4.0;
+            flip += metrics[5 * run + r].flip.value() / 4.0;
+        }
+        EXPECT_NEAR(all.rows[r].ssim.value(), ssim, 1e-12);
+        EXPECT_NEAR(all.rows[r].flip.value(), flip, 1e-12);
+    }
+    const ComparisonRow& phong = row_of(all, Method::phong, "reference");
+    EXPECT_NEAR(phong.ssim.value(), 1.0, 1e-12);
+    EXPECT_EQ(phong.flip.value(), 0.0);
+    EXPECT_FALSE(row_of(all, Method::phong, "hls").ssim.has_value()) << "it is not drawn";
+    for (const char* device : {"reference", "hls"}) {
+        EXPECT_GT(row_of(all, Method::quadratic, device).ssim, row_of(all, Method::gouraud, device).ssim);
+        EXPECT_LT(row_of(all, Method::quadratic, device).flip, row_of(all, Method::gouraud, device).flip);
+    }
+}
+
+TEST(compare, picture_metrics_are_left_out_unless_asked_for) {
+    const Comparison comparison = sheen::compare(sphere(20, 20), {{Method::gouraud}, {"reference"}, {}});
+    EXPECT_FALSE(comparison.rows.front().ssim.has_value());
+    EXPECT_FALSE(comparison.rows.front().flip.has_value());
+    EXPECT_EQ(comparison.metrics_unavailable, "");
+}
+
+TEST(compare, cost_is_the_methods_on_the_scene_whatever_the_device) {
+    const sheen::Scene scene = sphere(60, 50);
+    const Comparison comparison =
+        sheen::compare(scene, {{Method::gouraud, Method::quadratic, Method::phong}, {"reference", "hls"}, {}});
+    for (const ComparisonRow& row : comparison.rows) {
+        SCOPED_TRACE(to_string(row.method) + " on " + row.device);
+        ASSERT_EQ(row.cost.has_value(), row.reason.empty());
+        if (!row.cost) continue;
+        const auto cost = sheen::method_cost(row.method, scene, sheen::project(scene));
+        ASSERT_TRUE(cost.has_value());
+        for (std::size_t part = 0; part < 4; ++part) {
+            EXPECT_EQ(row.cost->named()[part].second.named(), cost->named()[part].second.named());
+        }
+    }
+    const auto pixel = [&](Method method) { return row_of(comparison, method, "reference").cost.value().pixel; };
+    EXPECT_EQ(pixel(Method::gouraud).additions, 3.0);
+    EXPECT_EQ(pixel(Method::quadratic).additions, 6.0);
+    EXPECT_EQ(pixel(Method::phong).roots, 1.0);
+}
+
+TEST(compare, a_scene_that_a_method_cant_express_is_a_row_with_a_reason_and_no_failure) {
+    sheen::Scene scene = sphere(30, 30);
+    scene.field_of_view = 40.0;
+    const Comparison comparison =
+        sheen::compare(scene, {{Method::taylor, Method::gouraud}, {"reference"}, sheen::measured_lights()});
+    const ComparisonRow& taylor = row_of(comparison, Method::taylor, "reference");
+    EXPECT_NE(taylor.reason, "");
+    EXPECT_FALSE(taylor.cost.has_value());
+    EXPECT_EQ(row_of(comparison, Method::gouraud, "reference").reason, "");
 }
 
 TEST(compare, an_unknown_device_is_a_usage_error_that_names_it) {

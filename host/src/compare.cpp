@@ -7,131 +7,36 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
-#include <memory>
 
-#include "sheen/device.hpp"
+#include "measurement.hpp"
 #include "sheen/error.hpp"
-#include "sheen/metrics.hpp"
-#include "sheen/reference.hpp"
 #include "sheen/render.hpp"
 
 namespace sheen {
 namespace {
 
-/// The device whose words are the others' model.
-constexpr const char* model_name = "hls";
+using Runs = std::vector<std::vector<Light>>;
 
-/// error_map_gain times the absolute error, `error(pixel, component)` in 8-bit steps.
-template <typename Error>
-Image make_error_map(int width, int height, Error error) {
-    Image map(width, height);
-    for (std::size_t i = 0; i < map.rgb.size(); ++i) {
-        const double scaled = error_map_gain * std::abs(error(i / 3, i % 3));
-        map.rgb[i] = static_cast<std::uint8_t>(std::lround(std::min(scaled, 255.0)));
+/// Why no device can draw the method under one of the runs' lights; nothing where it can under all.
+std::optional<std::string> why_inexpressible(Method method, Scene scene, const Runs& runs) {
+    for (const std::vector<Light>& lights : runs) {
+        scene.lights = lights;
+        if (std::optional<std::string> reason = sheen::why_inexpressible(method, scene)) return reason;
     }
-    return map;
+    return std::nullopt;
 }
 
-Image error_map(const ReferenceImage& expected, const ReferenceImage& actual) {
-    return make_error_map(actual.width, actual.height, [&](std::size_t pixel, std::size_t component) {
-        const auto c = static_cast<int>(component);
-        return actual.colour[pixel][c] - expected.colour[pixel][c];
-    });
-}
-
-Image error_map(const Image& expected, const Image& actual) {
-    return make_error_map(actual.width, actual.height, [&](std::size_t pixel, std::size_t component) {
-        const std::size_t i = 3 * pixel + component;
-        return static_cast<double>(actual.rgb[i]) - static_cast<double>(expected.rgb[i]);
-    });
-}
-
-/// A row and the measurement behind its figures.
-struct Measurement {
-    ComparisonRow row;
-    ErrorMeter meter;
-};
-
-/// What every drawing of one run is measured against.
-struct Run {
-    const Scene& scene;
-    const std::vector<ScreenTriangle>& triangles;
-    ReferenceImage phong;
-    Image phong_image;
-    bool first;
-};
-
-using Devices = std::map<std::string, std::unique_ptr<Device>>;
-
-void measure_reference(const Run& run, Measurement& measurement) {
-    ComparisonRow& row = measurement.row;
-    const ReferenceImage drawn = render_reference(row.method, run.scene, run.triangles);
-    measurement.meter.add(run.phong.colour, drawn.colour, run.phong.covered);
-    if (run.first) {
-        row.triangles = drawn.triangles;
-        row.pixels = drawn.pixels;
-        row.picture = drawn.image();
-        row.error_map = error_map(run.phong, drawn);
-    }
-}
-
-void measure_device(const Run& run, const std::vector<std::uint32_t>& packets, const std::vector<std::uint64_t>& model,
-                    Device& device, Measurement& measurement) {
-    ComparisonRow& row = measurement.row;
-    const Drawing drawn = draw(device, packets, run.scene.width, run.scene.height);
-    measurement.meter.add(run.phong_image, drawn.framebuffer.image(), run.phong.covered);
-    row.bit_exact = row.bit_exact.value_or(true) && drawn.result.words == model;
-    if (run.first) {
-        const Statistics statistics = statistics_of(packets, drawn.result);
-        row.triangles = statistics.triangles;
-        row.pixels = statistics.pixels;
-        row.cycles = statistics.cycles;
-        row.picture = drawn.framebuffer.image();
-        row.error_map = error_map(run.phong_image, drawn.framebuffer.image());
-    }
-}
-
-/// Measures the rows of one method, devices in the order of `rows`.
-class MethodRun {
- public:
-    MethodRun(const Run& run, Method method, Devices& devices) : run_(run), method_(method), devices_(devices) {}
-
-    void measure(Measurement& measurement) {
-        if (measurement.row.device == reference_name) {
-            measure_reference(run_, measurement);
-        } else {
-            prepare();
-            measure_device(run_, packets_, model_, *devices_.at(measurement.row.device), measurement);
-        }
-    }
-
- private:
-    /// Packets and the model's words, once for all devices.
-    void prepare() {
-        if (packets_.empty()) {
-            packets_ = picture_packets(make_setups(method_, run_.scene, run_.triangles));
-            model_ = devices_.at(model_name)->run(packets_).words;
-        }
-    }
-
-    const Run& run_;
-    Method method_;
-    Devices& devices_;
-    std::vector<std::uint32_t> packets_;
-    std::vector<std::uint64_t> model_;
-};
-
-std::vector<Measurement> make_rows(const ComparisonRequest& request) {
+std::vector<Measurement> make_rows(const ComparisonRequest& request, const Scene& scene, const Runs& runs) {
     std::vector<Measurement> rows;
     for (const Method method : request.methods) {
+        std::optional<std::string> inexpressible = why_inexpressible(method, scene, runs);
+        if (!inexpressible && request.subdivision && method != Method::phong) inexpressible = why_indivisible(method);
         for (const std::string& device : request.devices) {
             Measurement measurement;
             measurement.row.method = method;
             measurement.row.device = device;
-            measurement.row.reason = why_impossible(method, device).value_or("");
+            measurement.row.reason = inexpressible ? *inexpressible : why_impossible(method, device).value_or("");
             rows.push_back(std::move(measurement));
         }
     }
@@ -150,6 +55,76 @@ Devices make_devices(const ComparisonRequest& request) {
         devices.emplace(model_name, make_device(model_name));
     }
     return devices;
+}
+
+/// Tells the steps of a comparison one by one.
+class Steps {
+ public:
+    Steps(const ComparisonProgress& progress, std::size_t runs, const std::vector<Measurement>& rows,
+          const ComparisonRequest& request)
+        : progress_(progress), total_(request.methods.size()) {
+        for (const Measurement& measurement : rows) {
+            if (measurement.row.reason.empty()) total_ += runs * (request.picture_metrics ? 2 : 1);
+        }
+    }
+    void next(const std::string& what) {
+        if (progress_) progress_(done_, total_, what);
+        ++done_;
+    }
+
+ private:
+    const ComparisonProgress& progress_;
+    std::size_t total_;
+    std::size_t done_ = 0;
+};
+
+/// One run of all rows that can be drawn.
+void draw_all(const Run& run, std::size_t devices_per_method, Devices& devices, std::vector<Measurement>& measurements,
+              Steps& steps) {
+    std::optional<MethodRun> method_run;
+    for (std::size_t r = 0; r < measurements.size(); ++r) {
+        const ComparisonRow& row = measurements[r].row;
+        if (r % devices_per_method == 0) method_run.emplace(run, row.method, devices);
+        if (!row.reason.empty()) continue;
+        steps.next(fmt::format("{} on {}", to_string(row.method), row.device));
+        method_run->measure(measurements[r]);
+    }
+}
+
+void add_costs(const Scene& scene, const std::vector<ScreenTriangle>& triangles, const ComparisonRequest& request,
+               std::vector<Measurement>& measurements, Steps& steps) {
+    for (const Method method : request.methods) {
+        steps.next(fmt::format("cost of {}", to_string(method)));
+        if (why_inexpressible(method, scene)) continue;
+        const std::optional<MethodCost> cost = method_cost(method, scene, triangles, request.options);
+        for (Measurement& measurement : measurements) {
+            if (measurement.row.method == method && measurement.row.reason.empty()) measurement.row.cost = cost;
+        }
+    }
+}
+
+/// The mean over a row's runs; nothing where one of them has none.
+std::optional<double> mean_of(const std::vector<std::size_t>& pairs, const std::vector<PictureMetrics>& metrics,
+                              std::optional<double> PictureMetrics::*metric) {
+    double sum = 0.0;
+    for (const std::size_t pair : pairs) {
+        const std::optional<double>& value = metrics[pair].*metric;
+        if (!value) return std::nullopt;
+        sum += *value;
+    }
+    return pairs.empty() ? std::nullopt : std::optional(sum / static_cast<double>(pairs.size()));
+}
+
+/// Says why there are none, or nothing.
+std::string add_picture_metrics(const PictureMeter& pictures, std::vector<Measurement>& measurements, Steps& steps) {
+    const PictureMeter::Result result = pictures.measure(
+        [&steps](std::size_t done, std::size_t total) { steps.next(fmt::format("SSIM, FLIP {}/{}", done, total)); });
+    if (result.pairs.empty()) return result.unavailable;
+    for (Measurement& measurement : measurements) {
+        measurement.row.ssim = mean_of(measurement.pairs, result.pairs, &PictureMetrics::ssim);
+        measurement.row.flip = mean_of(measurement.pairs, result.pairs, &PictureMetrics::flip);
+    }
+    return {};
 }
 
 }  // namespace
@@ -181,10 +156,13 @@ std::optional<double> ComparisonRow::pixels_per_clock() const {
 Comparison compare(const Scene& scene, const ComparisonRequest& request, const ComparisonProgress& progress) {
     std::for_each(request.devices.begin(), request.devices.end(), require_drawing_name);
     Devices devices = make_devices(request);
-    std::vector<Measurement> measurements = make_rows(request);
-    const std::vector<ScreenTriangle> triangles = project(scene);
-    const std::vector<std::vector<Light>> runs =
-        request.runs.empty() ? std::vector<std::vector<Light>>{scene.lights} : request.runs;
+    const Uncovered uncovered = request.subdivision ? Uncovered::keep : Uncovered::drop;
+    const std::vector<ScreenTriangle> triangles = project(scene, uncovered);
+    const Runs runs = request.runs.empty() ? Runs{scene.lights} : request.runs;
+    std::vector<Measurement> measurements = make_rows(request, scene, runs);
+    std::optional<PictureMeter> pictures;
+    if (request.picture_metrics) pictures.emplace();
+    Steps steps(progress, runs.size(), measurements, request);
 
     Comparison comparison;
     comparison.runs = runs.size();
@@ -193,26 +171,15 @@ Comparison compare(const Scene& scene, const ComparisonRequest& request, const C
         lit.lights = runs[i];
         ReferenceImage phong = render_reference(Method::phong, lit, triangles);
         Image phong_image = phong.image();
-        const Run run{lit, triangles, std::move(phong), std::move(phong_image), i == 0};
-        if (run.first) {
-            comparison.reference = run.phong_image;
-        }
-        std::optional<MethodRun> method_run;
-        for (std::size_t r = 0; r < measurements.size(); ++r) {
-            Measurement& measurement = measurements[r];
-            const ComparisonRow& row = measurement.row;
-            if (r % request.devices.size() == 0) {
-                method_run.emplace(run, row.method, devices);
-            }
-            if (progress) {
-                progress(i * measurements.size() + r, runs.size() * measurements.size(),
-                         fmt::format("{} on {}", to_string(row.method), row.device));
-            }
-            if (row.reason.empty()) {
-                method_run->measure(measurement);
-            }
-        }
+        const Run run{lit,    triangles,       std::move(phong),    std::move(phong_image),
+                      i == 0, request.options, request.subdivision, pictures ? &*pictures : nullptr};
+        if (pictures) pictures->expect(run.phong_image, run.phong.covered);
+        if (run.first) comparison.reference = run.phong_image;
+        draw_all(run, request.devices.size(), devices, measurements, steps);
     }
+    lit.lights = runs.front();
+    add_costs(lit, triangles, request, measurements, steps);
+    if (pictures) comparison.metrics_unavailable = add_picture_metrics(*pictures, measurements, steps);
     for (Measurement& measurement : measurements) {
         measurement.row.psnr = measurement.meter.psnr();
         measurement.row.max_error = measurement.meter.max_error();

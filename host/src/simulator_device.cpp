@@ -1,51 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "sheen/simulator_device.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdlib>
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <utility>
 
+#include "child_process.hpp"
 #include "sheen/error.hpp"
 #include "sheen/framing.hpp"
 #include "sheen/packet.hpp"
-
-extern char** environ;
 
 namespace sheen {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder for one run's files; it goes with its owner.
-class ScratchFolder {
- public:
-    ScratchFolder() {
-        std::string pattern = (fs::temp_directory_path() / "sheen-XXXXXX").string();
-        if (mkdtemp(pattern.data()) == nullptr) {
-            throw Error(fmt::format("can't make a folder like '{}': {}; set TMPDIR to one that is writable", pattern,
-                                    std::strerror(errno)));
-        }
-        path_ = pattern;
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
-
- private:
-    fs::path path_;
-};
 
 /// Simulators stand beside the command in a build, and in ../libexec/sheen in an installation.
 std::string find_program(const std::string& device) {
@@ -73,35 +45,6 @@ void write_beats(const std::string& path, const std::vector<Beat>& beats, int wo
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
     out.flush();
     if (!out) throw Error(fmt::format("can't write '{}': {}", path, std::strerror(errno)));
-}
-
-std::string first_line_of(const std::string& path) {
-    std::ifstream in(path);
-    std::string line;
-    std::getline(in, line);
-    return line;
-}
-
-/// Runs the program to its end; its output goes to `log`.
-void run_program(const std::string& program, const std::vector<std::string>& arguments, const std::string& log) {
-    std::vector<char*> argv{const_cast<char*>(program.c_str())};
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    pid_t child = 0;
-    const int spawned = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (spawned != 0) throw Error(fmt::format("can't start '{}': {}", program, std::strerror(spawned)));
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) throw Error(fmt::format("lost '{}': {}", program, std::strerror(errno)));
-    }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        throw Error(fmt::format("'{}' failed: {}", program, first_line_of(log)));
-    }
 }
 
 /// First line: the clock cycles; then one line a word, in hexadecimal.
@@ -134,12 +77,18 @@ RunResult SimulatorDevice::run(const std::vector<std::uint32_t>& packets) {
     const std::string beat_file = scratch.file("beats");
     const std::string word_file = scratch.file("words");
     write_beats(beat_file, beats, words_per_beat_);
-    run_program(
+    std::string first_line;
+    const ProgramEnd program_end = run_program(
         program_,
         {"-gbeat_file=" + beat_file, "-gword_file=" + word_file, fmt::format("-gfences={}", count_fences(packets) + 1),
          fmt::format("-gsource_percent={}", stalls_.source_percent),
          fmt::format("-gsink_percent={}", stalls_.sink_percent), fmt::format("-gseed={}", stalls_.seed)},
-        scratch.file("log"));
+        [&first_line](const std::string& line) { first_line += first_line.empty() ? line : std::string(); });
+    if (program_end.start_error != 0)
+        throw Error(fmt::format("can't start '{}': {}", program_, std::strerror(program_end.start_error)));
+    if (!program_end.success()) {
+        throw Error(fmt::format("'{}' failed: {}", program_, first_line.empty() ? program_end.error : first_line));
+    }
     RunResult result = read_words(word_file, program_);
     if (result.words.empty() || result.words.back() != (std::uint64_t{end.front()} << 32 | 0xfff)) {
         throw Error(fmt::format("'{}' lost the end of the stream", program_));

@@ -89,6 +89,8 @@ void Outputs::print(const std::string& text) const {
     }
 }
 
+void print_warning(const std::string& text) { std::fputs(("sheen: " + text + "\n").c_str(), stderr); }
+
 nlohmann::ordered_json to_json(const Statistics& statistics) {
     return {{"pixels", statistics.pixels},
             {"cycles", json_or_null(statistics.cycles)},

@@ -38,6 +38,9 @@ nlohmann::ordered_json json_or_null(const std::optional<Value>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
+/// Says on standard error, in one line, what the user should know though the command goes on.
+void print_warning(const std::string& text);
+
 nlohmann::ordered_json to_json(const Statistics& statistics);
 
 /// Writes indented JSON whole or not at all.
