@@ -160,6 +160,15 @@ TEST(Loop, ColoursAreTheShadersOnRandomTrianglesUnderAnyLightsCameraAndReflectio
     std::cout << compared << " pixels, at most " << greatest << " steps apart\n";
 }
 
+TEST(Loop, EveryMethodHasOneInBothNumberTypes) {
+    const Scene scene = plain_scene();
+    const ScreenTriangle triangle = plain_triangle(scene);
+    for (const Method method : all_methods()) {
+        EXPECT_NE(make_loop<double>(method, {}, scene, triangle), nullptr) << to_string(method);
+        EXPECT_NE(make_loop<Counted>(method, {}, scene, triangle), nullptr) << to_string(method);
+    }
+}
+
 TEST(Loop, CountingChangesNoColour) {
     Rng random(seed);
     for (int run = 0; run < 20; ++run) {

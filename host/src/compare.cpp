@@ -91,14 +91,23 @@ void draw_all(const Run& run, std::size_t devices_per_method, Devices& devices, 
     }
 }
 
+/// Of the pieces where triangles are divided; the division itself is not counted.
 void add_costs(const Scene& scene, const std::vector<ScreenTriangle>& triangles, const ComparisonRequest& request,
                std::vector<Measurement>& measurements, Steps& steps) {
     for (const Method method : request.methods) {
         steps.next(fmt::format("cost of {}", to_string(method)));
-        if (why_inexpressible(method, scene)) continue;
-        const std::optional<MethodCost> cost = method_cost(method, scene, triangles, request.options);
+        std::optional<MethodCost> cost;
         for (Measurement& measurement : measurements) {
-            if (measurement.row.method == method && measurement.row.reason.empty()) measurement.row.cost = cost;
+            ComparisonRow& row = measurement.row;
+            if (row.method != method || !row.reason.empty()) continue;
+            if (!cost) {
+                const bool whole = !request.subdivision || method == Method::phong;
+                cost = method_cost(
+                    method, scene,
+                    whole ? triangles : subdivide(method, request.options, scene, triangles, *request.subdivision),
+                    request.options);
+            }
+            row.cost = cost;
         }
     }
 }

@@ -31,20 +31,22 @@ std::array<std::pair<const char*, MeanCounts>, 4> MethodCost::named() const {
     return {{{"nodes", nodes}, {"triangle", triangle}, {"span", span}, {"pixel", pixel}}};
 }
 
-std::optional<MethodCost> method_cost(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
-                                      const MethodOptions& options) {
+MethodCost method_cost(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
+                       const MethodOptions& options) {
     OperationCounts setup;
     OperationCounts nodes;
     OperationCounts spans;
     OperationCounts pixels;
+    std::size_t triangle_count = 0;
     std::size_t span_count = 0;
     std::size_t pixel_count = 0;
     for (const ScreenTriangle& triangle : triangles) {
+        if (triangle.walks.empty()) continue;
+        ++triangle_count;
         std::unique_ptr<Loop<Counted>> loop;
         {
             const CountingScope scope;
             loop = make_loop<Counted>(method, options, scene, triangle);
-            if (loop == nullptr) return std::nullopt;
             setup += scope.counts();
             nodes += loop->node_counts();
         }
@@ -61,8 +63,8 @@ std::optional<MethodCost> method_cost(Method method, const Scene& scene, const s
             ++span_count;
         }
     }
-    return MethodCost{mean(nodes, triangles.size()), mean(setup, triangles.size(), nodes), mean(spans, span_count),
-                      mean(pixels, pixel_count)};
+    return {mean(nodes, triangle_count), mean(setup, triangle_count, nodes), mean(spans, span_count),
+            mean(pixels, pixel_count)};
 }
 
 }  // namespace sheen

@@ -37,9 +37,9 @@ struct ComparisonRequest {
     std::vector<std::string> devices;  ///< of drawing_names()
     /// The lights of each run; the figures are over all runs. Empty: one run with the scene's lights.
     std::vector<std::vector<Light>> runs;
-    MethodOptions options = {};              ///< of all methods
-    bool picture_metrics = false;            ///< SSIM and FLIP too, which take seconds
-    std::optional<Subdivision> subdivision;  ///< of every method's triangles but those of `phong`
+    MethodOptions options = {};                   ///< of all methods
+    bool picture_metrics = false;                 ///< SSIM and FLIP too, which take seconds
+    std::optional<Subdivision> subdivision = {};  ///< of every method's triangles but those of `phong`
 };
 
 /// One method on one device, against the reference `phong` over the pixels of the mesh (those that both cover:

@@ -4,8 +4,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,10 +34,10 @@ struct MethodCost {
     [[nodiscard]] std::array<std::pair<const char*, MeanCounts>, 4> named() const;
 };
 
-/// Sums over all of the scene's triangles, their spans and pixels in the image, divided by how many there are: large
-/// triangles weigh more in `span` and `pixel`, as they do in the work. All 0 where no triangle covers a pixel; nothing
-/// for a method without a loop. \throws Error where why_inexpressible().
-std::optional<MethodCost> method_cost(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
-                                      const MethodOptions& options = {});
+/// Sums over the triangles that cover a pixel, their spans and pixels in the image, divided by how many there are:
+/// large triangles weigh more in `span` and `pixel`, as they do in the work. All 0 where no triangle covers a pixel.
+/// \throws Error where why_inexpressible().
+MethodCost method_cost(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
+                       const MethodOptions& options = {});
 
 }  // namespace sheen

@@ -38,8 +38,7 @@ class Loop {
 /// The rows of the triangle's pixels in the image, walk by walk, each from its top to its bottom, without empty rows.
 std::vector<PixelRow> triangle_rows(const ScreenTriangle& triangle);
 
-/// The method's loop for a triangle of the scene, which must outlive it; nothing for a method without one.
-/// \throws Error where why_inexpressible().
+/// The method's loop for a triangle of the scene, which must outlive it. \throws Error where why_inexpressible().
 template <typename Real>
 std::unique_ptr<Loop<Real>> make_loop(Method method, const MethodOptions& options, const Scene& scene,
                                       const ScreenTriangle& triangle);
