@@ -160,9 +160,10 @@ TEST(PictureMetrics, AConstantShiftIsWhatTheDefinitionsSay) {
     EXPECT_LE(last, 1.0);
 }
 
-TEST(PictureMetrics, FlipOfBlackAgainstWhiteIsItsColourDifference) {
-    // No edges: FLIP is its colour difference, the distance 100 of L* to the power 0.7, mapped to 0.95…1 by the
-    // greatest distance of two colours that a display has, blue and green, whose a* and b* are weighted by L*.
+TEST(PictureMetrics, FlipOfBlackAgainstAGreyIsItsColourDifferenceOnADisplay) {
+    // No edges: FLIP is its colour difference, the distance L* to the power 0.7, mapped to 0…0.95 below 0.4 of the
+    // greatest distance of two colours that a display has and to 0.95…1 above: that of blue and green, whose a* and b*
+    // are weighted by L*. The levels are sRGB.
     const auto lab = [](double x, double y, double z) {
         const auto f = [](double t) {
             return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0;
@@ -177,13 +178,20 @@ TEST(PictureMetrics, FlipOfBlackAgainstWhiteIsItsColourDifference) {
     const double greatest =
         std::pow(std::abs(green[0] - blue[0]) + std::hypot(green[1] - blue[1], green[2] - blue[2]), 0.7);
     const double knee = 0.4 * greatest;
-    const double expected = 0.95 + (std::pow(100.0, 0.7) - knee) / (greatest - knee) * 0.05;
 
     const Image black = plain(30, 30, {0, 0, 0});
+    const std::array<std::uint8_t, 3> levels{255, 128, 60};
     PictureMeter meter;
     meter.expect(black, whole(black));
-    meter.add(plain(30, 30, {255, 255, 255}));
-    EXPECT_NEAR(measured(meter).pairs.at(0).flip.value(), expected, 1e-4);
+    for (const std::uint8_t level : levels) meter.add(plain(30, 30, {level, level, level}));
+    const auto result = measured(meter);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const double linear = std::pow((levels[i] / 255.0 + 0.055) / 1.055, 2.4);
+        const double distance = std::pow(lab(linear, linear, linear)[0], 0.7);
+        const double expected =
+            distance < knee ? 0.95 * distance / knee : 0.95 + (distance - knee) / (greatest - knee) * 0.05;
+        EXPECT_NEAR(result.pairs.at(i).flip.value(), expected, 1e-3) << "level " << int{levels[i]};
+    }
 }
 
 TEST(PictureMetrics, PixelsFarFromTheMaskCountForNothing) {
