@@ -68,6 +68,13 @@ target_link_libraries(throughput PRIVATE sheen sheen_hls sheen_warnings fmt::fmt
 add_dependencies(throughput device_ghdl device_verilator device_verilator-w32 device_verilator-w128)
 add_dependencies(benchmarks throughput)
 
+# paper_results FOLDER measures and draws what the papers show. It counts the operations of the library's own parts.
+file(GLOB paper_sources CONFIGURE_DEPENDS tests/paper/*.cpp)
+add_executable(paper_results EXCLUDE_FROM_ALL ${paper_sources} host/apps/sheen/output.cpp)
+target_include_directories(paper_results PRIVATE host/src host/apps/sheen)
+target_link_libraries(paper_results PRIVATE sheen sheen_hls sheen_warnings CLI11::CLI11 fmt::fmt
+                      nlohmann_json::nlohmann_json)
+
 # cosim_pictures [--full] compares whole pictures and random streams on all devices.
 add_executable(cosim_pictures tests/cosim/pictures.cpp)
 target_include_directories(cosim_pictures PRIVATE tests)
