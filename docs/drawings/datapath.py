@@ -7,7 +7,7 @@ GEOMETRY = "#e0ecff"
 CHANNEL = "#e3f5e6"
 QUEUE = "#f1f2f4"
 
-c = Canvas(1180, 470)
+c = Canvas(1350, 480)
 
 # Three triangles in work.
 for x, width, words in [(150, 168, "one arrives"), (336, 196, "one is walked"), (640, 172, "one is drawn")]:
@@ -20,8 +20,9 @@ c.box(166, 90, 136, 70, "packet_decoder", ["headers, words"], GEOMETRY)
 c.box(366, 90, 136, 70, "edge_walker", ["rows, carries"], GEOMETRY)
 c.box(540, 90, 92, 70, "stream_fifo", ["spans"], QUEUE)
 c.box(658, 90, 136, 70, "span_walker", ["pixel positions"], GEOMETRY)
-c.box(840, 90, 130, 70, "colour_stage", ["saturate, pack"], GEOMETRY)
-c.box(1008, 90, 92, 70, "stream_fifo", ["pixels"], QUEUE)
+c.box(836, 90, 150, 70, "highlight_stage", ["with log channels"], GEOMETRY)
+c.box(1018, 90, 130, 70, "colour_stage", ["saturate, pack"], GEOMETRY)
+c.box(1180, 90, 92, 70, "stream_fifo", ["pixels"], QUEUE)
 
 c.text(8, 82, "s_axis", 12, "start", mono=True)
 c.arrow((8, 125), (38, 125))
@@ -31,23 +32,24 @@ c.text(331, 117, "job", 12, mono=True)
 c.arrow((502, 125), (540, 125))
 c.text(521, 117, "span", 12, mono=True)
 c.arrow((632, 125), (658, 125))
-c.arrow((794, 125), (840, 125))
+c.arrow((794, 125), (836, 125))
 c.text(817, 82, "fragment", 12, mono=True)
-c.arrow((970, 125), (1008, 125))
-c.arrow((1100, 125), (1172, 125))
-c.text(1172, 82, "m_axis", 12, "end", mono=True)
+c.arrow((986, 125), (1018, 125))
+c.arrow((1148, 125), (1180, 125))
+c.arrow((1272, 125), (1342, 125))
+c.text(1342, 82, "m_axis", 12, "end", mono=True)
 
 # Stalls, backwards.
 c.arrow((586, 90), (586, 60), (434, 60), (434, 90), dash="4 4")
 c.text(560, 53, "room", 12, mono=True)
-c.arrow((1053, 90), (1053, 60), (726, 60), (726, 90), dash="4 4")
+c.arrow((1226, 90), (1226, 60), (726, 60), (726, 90), dash="4 4")
 c.text(905, 53, "go (a register)", 12, mono=True)
 
 # The channels, one in front of three more.
 for k in (3, 2, 1):
     c.rectangle(366 + 5 * k, 256 - 5 * k, 428, 154, CHANNEL, "#9fb8a4", 1.1)
 c.rectangle(366, 256, 428, 154, CHANNEL)
-c.text(380, 430, "forward_difference: red, green, blue, depth", 12.5, "start", bold=True)
+c.text(380, 430, "forward_difference: red, green, blue, depth, log channels", 12.5, "start", bold=True)
 c.box(378, 276, 124, 118, "edge part", ["row: I += E", "E += dE, D += dD", "carry: I += D", "D += h, E += dD"])
 c.box(530, 296, 112, 78, "its share", ["of the queue:", "I, D of each row"], QUEUE)
 c.box(668, 286, 114, 98, "span part", ["pixel: I += D", "D += h"])
@@ -63,8 +65,14 @@ c.arrow((726, 160), (726, 286))
 c.text(733, 205, "load, step", 12, "start", mono=True)
 c.arrow((586, 160), (586, 296), dash="2 3")
 c.text(593, 205, "addresses", 12, "start", mono=True)
-c.arrow((782, 335), (905, 335), (905, 160))
-c.text(915, 300, "upper bits of I:", 12, "start")
-c.text(915, 317, "s10.0 a colour, u16.0 depth", 12, "start")
+c.arrow((782, 335), (858, 335), (858, 160))
+c.text(866, 262, "upper bits of I:", 12, "start")
+c.text(866, 279, "s10.2 a colour", 12, "start")
+c.text(866, 296, "u16.0 depth", 12, "start")
+c.text(866, 313, "s8.6 a log channel", 12, "start")
+
+# Materials and power tables.
+c.arrow((190, 160), (190, 458), (972, 458), (972, 160))
+c.text(640, 474, "material, words of the power table", 12)
 
 c.write()
