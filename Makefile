@@ -72,6 +72,7 @@ help:
 	@echo "  formal        proves that architectures for FPGA families equal the plain ones"
 	@echo "  test-area     area of every unit and core against tests/area; UPDATE=1 records it"
 	@echo "  bench         pixels per clock, speed of devices, kernels and host: tables in docs/benchmarks.md, plots in build/bench"
+	@echo "  paper         what the papers show, made anew: pictures in build/paper, tables in docs/paper-results.md"
 	@echo "  ip            cores to take away, in build/ip: one Verilog file, VHDL, example, FuseSoC file each"
 	@echo "  install       headers, libsheen, CMake package, pkg-config file and command into PREFIX"
 	@echo "  clean         remove what was built, keep what setup fetched; distclean removes that, too"
@@ -114,7 +115,7 @@ $(SETUP): build/setup/%: scripts/setup.sh
 
 ##### Building
 
-.PHONY: build install generate check-generated bench ip
+.PHONY: build install generate check-generated bench paper ip
 build: $(SETUP)
 	$(build_release) all product
 
@@ -133,6 +134,11 @@ check-generated: $(SETUP)
 bench: $(SETUP)
 	$(build_release) benchmarks
 	@scripts/bench/run.sh $(BENCH) build/release build/bench
+
+paper: $(SETUP)
+	$(build_release) paper_results
+	@build/release/paper_results build/paper
+	@$(VENV)/python scripts/paper/make_page.py build/paper docs/paper-results.md docs/images
 
 ip: $(SETUP)
 	$(build_release) make_ip_example

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each formula that a paper prints wrong: the picture with it, the picture with the right one, both against Phong.
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "printed_shaders.hpp"
 #include "results.hpp"
@@ -23,20 +22,6 @@ ordered_json by_options(const Album& album, const std::string& name, Method meth
     const auto triangles = project(scene);
     return pair(album, name, render_reference(Method::phong, scene, triangles),
                 render_reference(method, scene, triangles, right), render_reference(method, scene, triangles, printed));
-}
-
-/// A single triangle, 480 px wide and high, its normals leaning up to 30 degrees outwards.
-Scene one_triangle() {
-    Scene scene = grey_scene("sphere-168", 20.0);
-    scene.rotate_degrees = glm::dvec3(0.0);
-    scene.mesh = Mesh();
-    scene.mesh.name = "one triangle";
-    scene.mesh.positions = {{-1.0, -1.0, 0.0}, {1.0, -1.0, 0.0}, {0.1, 1.0, 0.0}};
-    for (const glm::dvec3& p : scene.mesh.positions) {
-        scene.mesh.normals.push_back(glm::normalize(glm::dvec3(0.4 * p.x, 0.4 * p.y, 1.0)));
-    }
-    scene.mesh.triangles = {{0, 1, 2}};
-    return scene;
 }
 
 /// The quadratic's six words with `bits` bits of fraction, stepped as a device steps them.
@@ -62,7 +47,7 @@ ReferenceImage with_fraction(const Scene& scene, const ScreenTriangle& triangle,
 }
 
 ordered_json fraction_bits(const Album& album) {
-    const Scene scene = one_triangle();
+    const Scene scene = one_triangle_scene();
     const auto triangles = project(scene);
     constexpr int printed_bits = 10;  // > log₂ 960, the rows and columns together
     const ReferenceImage exact = render_reference(Method::quadratic, scene, triangles);
@@ -70,7 +55,7 @@ ordered_json fraction_bits(const Album& album) {
                 with_fraction(scene, triangles[0], printed_bits));
 }
 
-/// Of how many triangles the printed T3, or T4 and T5, have no value.
+/// An upright sphere: half of its triangles have their bottom edge horizontal.
 ordered_json horizontal_edges(const Album& album) {
     Scene scene = grey_scene("sphere-168", 50.0);
     scene.rotate_degrees = glm::dvec3(0.0);
@@ -82,12 +67,12 @@ ordered_json horizontal_edges(const Album& album) {
                 }));
 }
 
+/// Against the same polynomial, sampled at the pixels' centres.
 ordered_json real_steps(const Album& album) {
     const Scene scene = grey_scene("sphere-168", 50.0);
     const auto triangles = project(scene);
-    return pair(album, "real-steps", render_reference(Method::phong, scene, triangles),
-                render_reference(Method::quadratic, scene, triangles),
-                draw(scene, triangles, [&scene](const ScreenTriangle& triangle) {
+    const ReferenceImage centres = render_reference(Method::quadratic, scene, triangles);
+    return pair(album, "real-steps", centres, centres, draw(scene, triangles, [&scene](const ScreenTriangle& triangle) {
                     return std::make_unique<RealStepShader>(scene, triangle);
                 }));
 }

@@ -93,6 +93,7 @@ ordered_json one_diffuse_colour() {
 ordered_json unit_normal() {
     const Vector step(0.01, 0.02, -0.01);
     const Vector now(0.1, 0.2, 0.95);
+    const Vector before = now - step;
     ordered_json json;
     json["linear"] = counted([&] {
         const Vector n = now + step;
@@ -101,7 +102,7 @@ ordered_json unit_normal() {
     });
     const RecurrenceStep<Counted> recurrence(0.999, false, false);
     json["recurrence"] = counted([&] {
-        for (int c = 0; c < 3; ++c) (void)recurrence.ahead(1, now[c], now[c] - step[c].value());
+        for (int c = 0; c < 3; ++c) (void)recurrence.ahead(1, now[c], before[c]);
     });
     return json;
 }

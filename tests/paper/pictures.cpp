@@ -83,6 +83,19 @@ Scene grey_scene(const std::string& mesh, double shininess) {
     return scene;
 }
 
+Scene one_triangle_scene() {
+    Scene scene = grey_scene("sphere-168", 20.0);
+    scene.rotate_degrees = glm::dvec3(0.0);
+    scene.mesh = Mesh();
+    scene.mesh.name = "one triangle";
+    scene.mesh.positions = {{-1.0, -1.0, 0.0}, {1.0, -1.0, 0.0}, {0.1, 1.0, 0.0}};
+    for (const glm::dvec3& p : scene.mesh.positions) {
+        scene.mesh.normals.push_back(glm::normalize(glm::dvec3(0.4 * p.x, 0.4 * p.y, 1.0)));
+    }
+    scene.mesh.triangles = {{0, 1, 2}};
+    return scene;
+}
+
 Mesh sphere(std::uint32_t segments, std::uint32_t rings) {
     Mesh mesh;
     mesh.name = "sphere";

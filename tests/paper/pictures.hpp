@@ -32,6 +32,9 @@ class Album {
 /// \param mesh a built-in mesh, named without "builtin:"
 Scene grey_scene(const std::string& mesh, double shininess);
 
+/// A single triangle, 480 px wide and high, its normals leaning up to 30 degrees outwards; n = 20.
+Scene one_triangle_scene();
+
 /// A unit sphere of 2·segments·(rings − 1) triangles with its poles on y.
 Mesh sphere(std::uint32_t segments, std::uint32_t rings);
 

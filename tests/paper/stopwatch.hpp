@@ -3,6 +3,7 @@
 /// Processor time of a method's loop: medians of repetitions, taken in turns so that a change of clock meets all alike.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,10 +35,11 @@ struct Contestant {
 };
 
 /// Medians over `repetitions`, in the order of the contestants. Colours are made in double, and added up instead of
-/// stored. Time is the thread's processor time, so that other programs matter less.
+/// stored. The exponent table's making is left out. Time is the thread's processor time, so that other programs matter
+/// less.
 std::vector<Times> race(const std::vector<Contestant>& contestants, int repetitions);
 
-/// Seconds of a square root and a division, each depending on the one before.
-double root_and_division_seconds();
+/// The median of the seconds that `work` takes; what it returns must be a number.
+double median_seconds(int repetitions, const std::function<double()>& work);
 
 }  // namespace sheen::paper

@@ -91,8 +91,8 @@ ordered_json curvature(const Album& album) {
                 const ReferenceImage phong = render_reference(Method::phong, scene, triangle);
                 MethodOptions options;
                 options.taylor_table_bytes = 8192;
-                meter->add(phong.colour, render_reference(Method::taylor, scene, triangle, options).colour,
-                           phong.covered);
+                const ReferenceImage drawn = render_reference(Method::taylor, scene, triangle, options);
+                meter->add(phong.colour, drawn.colour, phong.covered);
             }
         }
         rows.push_back({{"degrees", degrees},
