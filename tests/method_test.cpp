@@ -79,7 +79,9 @@ TEST(Method, NamesComeBackAndUnknownOnesAreAnsweredWithTheList) {
     for (const Method method : all_methods()) {
         EXPECT_EQ(parse_method(to_string(method)), method);
         names.insert(to_string(method));
-        EXPECT_EQ(has_packets(method), method <= Method::quadratic);
+        const bool lit = method == Method::log_quadratic || method == Method::taylor || method == Method::taylor_finite;
+        EXPECT_EQ(has_log_channels(method), lit);
+        EXPECT_EQ(has_packets(method), lit || method <= Method::quadratic);
     }
     EXPECT_EQ(names, (std::set<std::string>{"flat", "gouraud", "quadratic", "duff", "taylor", "taylor-finite",
                                             "spherical", "recurrence", "log-quadratic", "phong"}));
@@ -193,6 +195,7 @@ TEST(Method, PhongHasNoPolynomial) {
     const Scene scene = lit_scene();
     const ScreenTriangle t = screen_triangle(rng, scene, triangle_on_centres(rng));
     EXPECT_THROW(shade_nodes(Method::phong, scene, t), Error);
+    EXPECT_THROW(shade_nodes(Method::log_quadratic, scene, t), Error);
 }
 
 /// Whatever lies beside the edge: neighbours have the same colour along it, opposite normals included.

@@ -90,6 +90,27 @@ template <typename Real>
 std::vector<LightSeries<Real>> finite_series(const MethodOptions& options, const Scene& scene,
                                              const ScreenTriangle& triangle, const TriangleAxes<Real>& axes);
 
+/// `taylor` or `taylor-finite` over one triangle, at its vertices' weights: as precise in slivers as anywhere. What is
+/// misprinted depends on the axes, and is shown in the paper's, pixels.
+class TriangleSeries {
+ public:
+    TriangleSeries(Method method, const MethodOptions& options, const Scene& scene, const ScreenTriangle& triangle);
+
+    /// The series of N·L and of N·H, not clamped.
+    struct Cosines {
+        double diffuse = 0.0;
+        double specular = 0.0;
+    };
+    /// Those of one of the scene's lights where the vertices have these weights.
+    [[nodiscard]] Cosines at(std::size_t light, const glm::dvec3& weights) const;
+    [[nodiscard]] std::size_t lights() const { return series_.size(); }
+
+ private:
+    std::vector<LightSeries<double>> series_;
+    glm::dvec2 edge_1_{1.0, 0.0};  ///< from vertex 0, in the axes
+    glm::dvec2 edge_2_{0.0, 1.0};
+};
+
 /// Why `duff` and `taylor` (eye and lights at infinity) can't express the scene.
 std::optional<std::string> why_not_infinite(Method method, const Scene& scene);
 /// Why no method of the paper can: another reflection model than Blinn's.

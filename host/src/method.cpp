@@ -6,9 +6,15 @@
 
 #include "sheen/error.hpp"
 #include "sheen/hls/formats.hpp"
+#include "sheen/lit_setup.hpp"
 
 namespace sheen {
 namespace {
+
+/// Its colour is a polynomial over the triangle.
+bool is_polynomial(Method method) {
+    return method == Method::flat || method == Method::gouraud || method == Method::quadratic;
+}
 
 /// A colour node: within ±306, so that the quadratic's overshoot by 5/3 still fits ten integer bits.
 glm::dvec3 node_colour(const Scene& scene, const Material& material, const SurfacePoint& node) {
@@ -72,9 +78,11 @@ Method parse_method(const std::string& word) {
     throw UsageError("unknown method '" + word + "': expected one of " + names);
 }
 
-bool has_packets(Method method) {
-    return method == Method::flat || method == Method::gouraud || method == Method::quadratic;
+bool has_log_channels(Method method) {
+    return method == Method::log_quadratic || method == Method::taylor || method == Method::taylor_finite;
 }
+
+bool has_packets(Method method) { return is_polynomial(method) || has_log_channels(method); }
 
 glm::dvec3 TriangleNodes::colour_at(const glm::dvec3& weights) const {
     glm::dvec3 sum(0.0);
@@ -87,9 +95,7 @@ glm::dvec3 TriangleNodes::colour_at(const glm::dvec3& weights) const {
 }
 
 TriangleNodes shade_nodes(Method method, const Scene& scene, const ScreenTriangle& triangle) {
-    if (!has_packets(method)) {
-        throw Error("method '" + to_string(method) + "' is no polynomial of colour: it has no packets");
-    }
+    if (!is_polynomial(method)) throw Error("method '" + to_string(method) + "' is no polynomial of colour");
     const auto& v = triangle.vertices;
     TriangleNodes nodes;
     nodes.linear = method != Method::quadratic;
@@ -139,9 +145,18 @@ TriangleSetup make_setup(const TriangleNodes& nodes, const ScreenTriangle& trian
     return setup;
 }
 
-std::vector<TriangleSetup> make_setups(Method method, const Scene& scene,
-                                       const std::vector<ScreenTriangle>& triangles) {
+std::vector<TriangleSetup> make_setups(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
+                                       const MethodOptions& options) {
     std::vector<TriangleSetup> setups;
+    if (has_log_channels(method)) {
+        const LitSetups lit(method, options, scene);
+        for (const ScreenTriangle& triangle : triangles) {
+            if (triangle.walks.empty()) continue;
+            const LitNodes nodes = lit.nodes(triangle);
+            for (const TriangleWalk& walk : triangle.walks) setups.push_back(LitSetups::setup(nodes, triangle, walk));
+        }
+        return setups;
+    }
     for (const ScreenTriangle& triangle : triangles) {
         if (triangle.walks.empty()) continue;
         const TriangleNodes nodes = shade_nodes(method, scene, triangle);

@@ -15,55 +15,62 @@
 namespace sheen {
 namespace {
 
+/// From vertex 0 to vertex k, in pixels.
+glm::dvec2 edge_to(const ScreenTriangle& triangle, std::size_t k) {
+    const SnappedPoint& from = triangle.vertices[0].point;
+    const SnappedPoint& to = triangle.vertices[k].point;
+    return glm::dvec2(to.x - from.x, to.y - from.y) / static_cast<double>(1 << hls::subpixel_bits);
+}
+
 /// Evaluates the series of all lights; a negative N·L is dark, the table does the power.
-///
-/// The axes are the weights of two vertices: as precise in slivers as anywhere. What is misprinted depends on the axes,
-/// and is shown in the paper's, pixels.
 class TaylorShader : public Shader {
  public:
     TaylorShader(Method method, const MethodOptions& options, const Scene& scene, const ScreenTriangle& triangle)
-        : scene_(scene), material_(triangle.material), table_(material_.shininess, options.taylor_table_bytes) {
-        TriangleAxes<double> axes;
-        if (options.as_printed) {
-            const Barycentrics<double> at(triangle);
-            axes = {{at.p_x, at.p_y}, {at.q_x, at.q_y}};
-            edge_1_ = edge_to(triangle, 1);
-            edge_2_ = edge_to(triangle, 2);
-        }
-        series_ = method == Method::taylor ? infinite_series(options, scene, triangle, axes)
-                                           : finite_series(options, scene, triangle, axes);
-    }
+        : scene_(scene),
+          material_(triangle.material),
+          series_(method, options, scene, triangle),
+          table_(material_.shininess, options.taylor_table_bytes) {}
 
     [[nodiscard]] glm::dvec3 colour(int /*x*/, const glm::dvec3& weights) const override {
-        const glm::dvec2 at = (weights[1] - 1.0 / 3.0) * edge_1_ + (weights[2] - 1.0 / 3.0) * edge_2_;
         glm::dvec3 sum = material_.ambient;
-        for (std::size_t k = 0; k < series_.size(); ++k) {
-            const double lambert = std::max(0.0, value_at(series_[k].diffuse, at.x, at.y));
-            const double highlight = table_.read(value_at(series_[k].specular, at.x, at.y));
+        for (std::size_t k = 0; k < series_.lights(); ++k) {
+            const TriangleSeries::Cosines cosines = series_.at(k, weights);
+            const double lambert = std::max(0.0, cosines.diffuse);
+            const double highlight = table_.read(cosines.specular);
             sum += scene_.lights[k].colour * (material_.diffuse * lambert + material_.specular * highlight);
         }
         return 255.0 * sum;
     }
 
  private:
-    /// From vertex 0 to vertex k, in pixels.
-    static glm::dvec2 edge_to(const ScreenTriangle& triangle, std::size_t k) {
-        const SnappedPoint& from = triangle.vertices[0].point;
-        const SnappedPoint& to = triangle.vertices[k].point;
-        return glm::dvec2(to.x - from.x, to.y - from.y) / static_cast<double>(1 << hls::subpixel_bits);
-    }
-
     const Scene& scene_;
     const Material& material_;
-    std::vector<LightSeries<double>> series_;
+    TriangleSeries series_;
     ExponentTable table_;
-    glm::dvec2 edge_1_{1.0, 0.0};  ///< from vertex 0, in the axes
-    glm::dvec2 edge_2_{0.0, 1.0};
 };
 
 bool is_blinn(const Material& material) { return material.brdf == Brdf::blinn; }
 
 }  // namespace
+
+TriangleSeries::TriangleSeries(Method method, const MethodOptions& options, const Scene& scene,
+                               const ScreenTriangle& triangle) {
+    TriangleAxes<double> axes;
+    if (options.as_printed) {
+        const Barycentrics<double> on_screen(triangle);
+        axes = {{on_screen.p_x, on_screen.p_y}, {on_screen.q_x, on_screen.q_y}};
+        edge_1_ = edge_to(triangle, 1);
+        edge_2_ = edge_to(triangle, 2);
+    }
+    series_ = method == Method::taylor ? infinite_series(options, scene, triangle, axes)
+                                       : finite_series(options, scene, triangle, axes);
+}
+
+TriangleSeries::Cosines TriangleSeries::at(std::size_t light, const glm::dvec3& weights) const {
+    const glm::dvec2 place = (weights[1] - 1.0 / 3.0) * edge_1_ + (weights[2] - 1.0 / 3.0) * edge_2_;
+    const LightSeries<double>& series = series_[light];
+    return {value_at(series.diffuse, place.x, place.y), value_at(series.specular, place.x, place.y)};
+}
 
 glm::dvec3 infinite_half(const Light& light) {
     const glm::dvec3 half = light.vector + glm::dvec3(0.0, 0.0, 1.0);

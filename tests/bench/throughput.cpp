@@ -131,7 +131,7 @@ json measure_meshes() {
     json rows = json::array();
     for (const std::string& mesh : builtin_mesh_names()) {
         for (const Method method : all_methods()) {
-            if (!has_packets(method)) continue;
+            if (!has_packets(method) || has_log_channels(method)) continue;
             const auto packets = mesh_packets(mesh, method);
             for (const Width& width : widths) {
                 json row = measure(width, {}, packets);

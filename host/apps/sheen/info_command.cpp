@@ -39,16 +39,25 @@ std::string formats() {
         hls::component_bits);
 }
 
+/// What the core has for highlights.
+std::string highlights(const Capabilities& c) {
+    if (c.log_channels == 0) return "no log channels";
+    const std::string power =
+        c.power_address_bits == 0 ? "no power table" : fmt::format("power table {}x8", 1 << c.power_address_bits);
+    return fmt::format("{} log channels of {} bits, {} of them fraction; exp2 table {}x{}; {}", c.log_channels,
+                       c.log_bits, c.log_fraction_bits, 1 << c.exp2_address_bits, c.exp2_data_bits, power);
+}
+
 std::string capabilities(const std::string& name) {
     if (name == reference_name) {
         return "reference: double precision on the host; takes setups, not packets; draws every method\n";
     }
     const Capabilities c = query_capabilities(*make_device(name));
     return fmt::format(
-        "{}: protocol {}; colour {} bits, {} of them fraction, {}; {} log channels; depth {} bits; phase {} bits; "
-        "triangles up to {} pixels wide and high\n",
+        "{}: protocol {}; colour {} bits, {} of them fraction, {}; depth {} bits; phase {} bits; triangles up to {} "
+        "pixels wide and high; {}\n",
         name, c.protocol_version, c.colour_bits, c.colour_fraction_bits, c.quadratic ? "quadratic" : "linear only",
-        c.log_channels, c.depth ? c.depth_bits : 0, c.phase_bits, c.max_extent);
+        c.depth ? c.depth_bits : 0, c.phase_bits, c.max_extent, highlights(c));
 }
 
 void info(const std::string& device) {

@@ -22,6 +22,14 @@ struct Capabilities {
     int depth_bits = 0;  ///< W of the depth channel; 16 of them integer; 0 without depth
     int phase_bits = 0;
     int max_extent = 0;  ///< greatest width and height of a triangle, in pixels
+    // The highlight stage; all 0 where there are no log channels.
+    int log_bits = 0;            ///< W of the log channels
+    int log_fraction_bits = 0;   ///< of them
+    int exp2_address_bits = 0;   ///< the table of 2^(8 − z): an octave of 2^exp2_address_bits entries …
+    int exp2_data_bits = 0;      ///< … of as many bits
+    int power_address_bits = 0;  ///< a power table has 2^power_address_bits entries of 8 bits; 0: the core has none
+    // Of the core itself.
+    int core_version = 0;  ///< major · 2^16 + minor · 2^8 + patch
 };
 
 struct RunResult {
@@ -43,7 +51,10 @@ class Device {
 std::vector<std::string> device_names();
 /// \throws UsageError for an unknown name; Error when the device is not built (and how to build it).
 std::unique_ptr<Device> make_device(const std::string& name);
-/// Sends a query and decodes the reply.
+/// Decodes the words of a core's reply to a query. \throws Error unless they are such a reply in this protocol's
+/// version.
+Capabilities core_capabilities(const std::vector<std::uint64_t>& reply);
+/// Sends a query and decodes the reply. \throws Error naming the device.
 Capabilities query_capabilities(Device& device);
 
 }  // namespace sheen

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,18 @@
 
 namespace sheen {
 
-enum class Method { flat, gouraud, quadratic, duff, taylor, taylor_finite, spherical, recurrence, log_quadratic, phong };
+enum class Method {
+    flat,
+    gouraud,
+    quadratic,
+    duff,
+    taylor,
+    taylor_finite,
+    spherical,
+    recurrence,
+    log_quadratic,
+    phong
+};
 
 /// All methods, in the order in which they are listed to a user.
 const std::vector<Method>& all_methods();
@@ -27,6 +39,8 @@ std::string to_string(Method method);
 Method parse_method(const std::string& word);
 /// True when devices can draw it (packets exist); false for references such as `phong`.
 bool has_packets(Method method);
+/// True when it is drawn with log channels: has_packets(), and highlights by table (lit_setup.hpp).
+bool has_log_channels(Method method);
 
 /// What a method makes of a triangle: colours at the vertices and, unless linear, in the middle of the edges.
 struct TriangleNodes {
@@ -48,13 +62,29 @@ std::array<Polynomial, 3> fit_colour(const TriangleNodes& nodes, const ScreenTri
 /// Depth in 16-bit steps, linear on the screen, over the triangle's snapped vertices, about `origin`.
 Polynomial fit_depth(const ScreenTriangle& triangle, const PixelIndex& origin);
 
-/// A triangle as a device gets it, in fields.
+/// What the pixels of triangles with log channels are made of besides their channels.
+struct MaterialSetup {
+    /// Red, green, blue, 0…4095: u8.4 in 8-bit steps, with the ½ of rounding folded in.
+    std::array<int, 3> ambient{};
+    int power_channels = 0;  ///< bit k: log channel k is 16·cos, for the power table; else z
+    friend bool operator==(const MaterialSetup& a, const MaterialSetup& b) {
+        return a.ambient == b.ambient && a.power_channels == b.power_channels;
+    }
+};
+
+/// What a power table holds: an entry's highlight in 8-bit steps.
+using PowerEntries = std::vector<std::uint8_t>;
+
+/// A triangle as a device gets it, in fields. What stands below `depth` goes in packets of its own, and counts only
+/// where there are log channels.
 struct TriangleSetup {
     TriangleWalk walk;
     bool linear = false;
     std::array<ChannelWords, 3> colour;
     std::vector<ChannelWords> log;
     std::optional<ChannelWords> depth;
+    MaterialSetup material;
+    std::shared_ptr<const PowerEntries> table;  ///< 1024 entries; none where no log channel is a power channel
 };
 
 /// The setup of one of the triangle's walks. The polynomial is the whole triangle's, rounded about the middle of what
@@ -64,7 +94,9 @@ TriangleSetup make_setup(const TriangleNodes& nodes, const ScreenTriangle& trian
 /// Its depth channel alone: what decides, to the bit, which triangle a device's picture shows at a pixel.
 ChannelWords depth_words(const ScreenTriangle& triangle, const TriangleWalk& walk);
 
-/// All setups of a scene, in drawing order: one per walk. \throws Error for `phong` when a pixel is covered.
-std::vector<TriangleSetup> make_setups(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles);
+/// All setups of a scene, in drawing order: one per walk. \throws Error for a method without packets, and for one with
+/// log channels where why_not_on_devices() or a channel can't hold a triangle's nodes (lit_setup.hpp).
+std::vector<TriangleSetup> make_setups(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
+                                       const MethodOptions& options = {});
 
 }  // namespace sheen
