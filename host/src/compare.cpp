@@ -11,18 +11,21 @@
 
 #include "measurement.hpp"
 #include "sheen/error.hpp"
+#include "sheen/lit_setup.hpp"
 #include "sheen/render.hpp"
+#include "sheen/shader.hpp"
 
 namespace sheen {
 namespace {
 
 using Runs = std::vector<std::vector<Light>>;
 
-/// Why no device can draw the method under one of the runs' lights; nothing where it can under all.
-std::optional<std::string> why_inexpressible(Method method, Scene scene, const Runs& runs) {
+/// why(scene) under one of the runs' lights; nothing where it says nothing under all.
+template <typename Why>
+std::optional<std::string> under_any(const Runs& runs, Scene scene, Why why) {
     for (const std::vector<Light>& lights : runs) {
         scene.lights = lights;
-        if (std::optional<std::string> reason = sheen::why_inexpressible(method, scene)) return reason;
+        if (std::optional<std::string> reason = why(scene)) return reason;
     }
     return std::nullopt;
 }
@@ -30,13 +33,18 @@ std::optional<std::string> why_inexpressible(Method method, Scene scene, const R
 std::vector<Measurement> make_rows(const ComparisonRequest& request, const Scene& scene, const Runs& runs) {
     std::vector<Measurement> rows;
     for (const Method method : request.methods) {
-        std::optional<std::string> inexpressible = why_inexpressible(method, scene, runs);
+        std::optional<std::string> inexpressible =
+            under_any(runs, scene, [&](const Scene& lit) { return why_inexpressible(method, lit); });
+        const std::optional<std::string> only_reference =
+            under_any(runs, scene, [&](const Scene& lit) { return why_not_on_devices(method, request.options, lit); });
         if (!inexpressible && request.subdivision && method != Method::phong) inexpressible = why_indivisible(method);
         for (const std::string& device : request.devices) {
+            std::optional<std::string> reason = inexpressible ? inexpressible : why_impossible(method, device);
+            if (!reason && device != reference_name) reason = only_reference;
             Measurement measurement;
             measurement.row.method = method;
             measurement.row.device = device;
-            measurement.row.reason = inexpressible ? *inexpressible : why_impossible(method, device).value_or("");
+            measurement.row.reason = reason.value_or("");
             rows.push_back(std::move(measurement));
         }
     }
@@ -46,14 +54,16 @@ std::vector<Measurement> make_rows(const ComparisonRequest& request, const Scene
 /// The devices that the request names, and the model that they are held against.
 Devices make_devices(const ComparisonRequest& request) {
     Devices devices;
+    const auto add = [&devices](const std::string& name) {
+        if (devices.count(name) != 0) return;
+        std::unique_ptr<Device> device = make_device(name);
+        const Capabilities core = query_capabilities(*device);
+        devices.emplace(name, ComparedDevice{std::move(device), core});
+    };
     for (const std::string& name : request.devices) {
-        if (name != reference_name) {
-            devices.emplace(name, make_device(name));
-        }
+        if (name != reference_name) add(name);
     }
-    if (!devices.empty() && devices.count(model_name) == 0) {
-        devices.emplace(model_name, make_device(model_name));
-    }
+    if (!devices.empty()) add(model_name);
     return devices;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "measurement.hpp"
 
+#include <fmt/format.h>
+
 #include "error_map.hpp"
+#include "sheen/error.hpp"
 #include "sheen/render.hpp"
 
 namespace sheen {
@@ -40,7 +43,11 @@ void MethodRun::measure_reference(Measurement& measurement) {
 void MethodRun::measure_device(Measurement& measurement) {
     prepare();
     ComparisonRow& row = measurement.row;
-    const Drawing drawn = draw(*devices_.at(row.device), packets_, run_.scene.width, run_.scene.height);
+    const ComparedDevice& compared = devices_.at(row.device);
+    if (const std::optional<std::string> reason = why_incapable(compared.core, setups_)) {
+        throw Error(fmt::format("{} on {}: {}", to_string(method_), row.device, *reason));
+    }
+    const Drawing drawn = draw(*compared.device, packets_, run_.scene.width, run_.scene.height);
     const Image& picture = drawn.framebuffer.image();
     measurement.meter.add(run_.phong_image, picture, common(run_.phong.covered, drawn.framebuffer.covered()));
     row.bit_exact = row.bit_exact.value_or(true) && drawn.result.words == model_;
@@ -62,8 +69,9 @@ const std::vector<ScreenTriangle>& MethodRun::triangles() {
 
 void MethodRun::prepare() {
     if (packets_.empty()) {
-        packets_ = picture_packets(make_setups(method_, run_.scene, triangles()));
-        model_ = devices_.at(model_name)->run(packets_).words;
+        setups_ = make_setups(method_, run_.scene, triangles(), run_.options);
+        packets_ = picture_packets(setups_);
+        model_ = devices_.at(model_name).device->run(packets_).words;
     }
 }
 

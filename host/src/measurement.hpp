@@ -41,14 +41,20 @@ struct Run {
     PictureMeter* pictures;  ///< none where no picture metrics are asked for
 };
 
-using Devices = std::map<std::string, std::unique_ptr<Device>>;
+/// A device, and what it says of itself.
+struct ComparedDevice {
+    std::unique_ptr<Device> device;
+    Capabilities core;
+};
+using Devices = std::map<std::string, ComparedDevice>;
 
 /// Measures the rows of one method in one run.
 class MethodRun {
  public:
     /// `devices` holds those of the rows and the model's, unless all rows are the reference's.
     MethodRun(const Run& run, Method method, Devices& devices) : run_(run), method_(method), devices_(devices) {}
-    /// Draws and adds to the measurement's figures. \throws Error when the device fails.
+    /// Draws and adds to the measurement's figures. \throws Error when the device fails, or lacks what the method
+    /// needs.
     void measure(Measurement& measurement);
 
  private:
@@ -56,13 +62,14 @@ class MethodRun {
     void measure_device(Measurement& measurement);
     /// The run's triangles, in pieces where that is asked for.
     const std::vector<ScreenTriangle>& triangles();
-    /// Packets and the model's words, once for all devices.
+    /// Setups, packets and the model's words, once for all devices.
     void prepare();
 
     const Run& run_;
     Method method_;
     Devices& devices_;
     std::optional<std::vector<ScreenTriangle>> pieces_;
+    std::vector<TriangleSetup> setups_;
     std::vector<std::uint32_t> packets_;
     std::vector<std::uint64_t> model_;
 };

@@ -65,6 +65,26 @@ std::vector<std::uint32_t> picture_packets(const std::vector<TriangleSetup>& set
     return words;
 }
 
+std::optional<std::string> why_incapable(const Capabilities& core, const std::vector<TriangleSetup>& setups) {
+    const auto lacks = [](const std::string& what) { return fmt::format("the core {}", what); };
+    for (const TriangleSetup& setup : setups) {
+        const auto log_channels = static_cast<int>(setup.log.size());
+        if (log_channels > core.log_channels) {
+            return lacks(fmt::format("has {} log channels, and a triangle needs {}", core.log_channels, log_channels));
+        }
+        if (log_channels > 0 && setup.material.power_channels != 0 && core.power_address_bits == 0) {
+            return lacks("has no power table, and a triangle needs one");
+        }
+        if (setup.table != nullptr && setup.table->size() != std::size_t{1} << core.power_address_bits) {
+            return lacks(fmt::format("has power tables of {} entries, and a triangle needs {}",
+                                     1 << core.power_address_bits, setup.table->size()));
+        }
+        if (!setup.linear && !core.quadratic) return lacks("has linear colour only, and a triangle needs quadratic");
+        if (setup.depth && !core.depth) return lacks("has no depth channel, and a triangle needs one");
+    }
+    return std::nullopt;
+}
+
 Drawing draw(Device& device, const std::vector<std::uint32_t>& packets, int width, int height) {
     if (packets.empty() || decode_header(packets.back()).opcode != hls::opcode_fence) {
         throw Error("a picture's packets must end with a fence");

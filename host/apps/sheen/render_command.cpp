@@ -45,8 +45,12 @@ Result draw_with_reference(Method method, const Scene& scene, const std::vector<
 
 Result draw_with_device(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
                         Device& device) {
+    const std::vector<TriangleSetup> setups = make_setups(method, scene, triangles);
+    if (const std::optional<std::string> reason = why_incapable(query_capabilities(device), setups)) {
+        throw Error(fmt::format("{} on {}: {}", to_string(method), device.name(), *reason));
+    }
     Result result;
-    result.packets = picture_packets(make_setups(method, scene, triangles));
+    result.packets = picture_packets(setups);
     Drawing drawing = draw(device, result.packets, scene.width, scene.height);
     result.image = drawing.framebuffer.image();
     result.statistics = statistics_of(result.packets, drawing.result);
@@ -130,7 +134,8 @@ void add_render(CLI::App& app) {
     add_output(*command, "-o,--output", options->image, "OUT.png", "The picture; - for standard output")->required();
     command
         ->add_option("--method", options->method,
-                     "flat, gouraud, quadratic; on the reference all that `sheen info` names [quadratic]")
+                     "flat, gouraud, quadratic, taylor, taylor-finite, log-quadratic; on the reference all that "
+                     "`sheen info` names [quadratic]")
         ->type_name("M")
         ->group("Shading");
     command->add_option("--device", options->device, "hls, ghdl, verilator or reference [hls]")

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sheen/device.hpp"
@@ -31,7 +32,12 @@ Statistics statistics_of(const std::vector<std::uint32_t>& packets, const RunRes
 /// True for a word by which a device refuses a packet.
 bool is_error_word(std::uint64_t word);
 
+/// Why a core can't draw all of the setups: it has too few log channels, no power table or one of another size, linear
+/// colour only, or no depth. Nothing where it can.
+std::optional<std::string> why_incapable(const Capabilities& core, const std::vector<TriangleSetup>& setups);
+
 /// The packets of a picture: its triangles in order, then a fence, whose echo tells that the picture is complete.
+/// Before a triangle with log channels come its material and its power table, unless they are the ones already sent.
 std::vector<std::uint32_t> picture_packets(const std::vector<TriangleSetup>& setups);
 
 /// A picture as a device drew it.
