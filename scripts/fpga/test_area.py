@@ -46,6 +46,10 @@ UNITS = {
     "line_interpolator": Core("line_interpolator", "22 bits", {"phase_bits": 22, "ra_bits": 12}),
     "bell_rom": Core("bell_rom", "cos^9.5, 256 words",
                      {"address_bits": 8, "data_bits": 8, "exponent_tenths": 95, "wrap_bits": 3, "folded": True}),
+    "exp2_rom": Core("exp2_rom", "64 words"),
+    "power_rom": Core("power_rom", "two banks of 1 KB"),
+    "highlight_stage": Core("highlight_stage", "one log channel, exp2_rom alone",
+                            {"log_channels": 1, "has_power": False}),
 }
 
 # (design, family, key, least, most, why): where memories and multipliers belong.
@@ -53,6 +57,10 @@ SHADING = ("gouraud", "quadratic", "quadratic-depth")
 BELONGS = [
     ("bell_rom", "ecp5", "bram", 0, 0, "256 x 8 fit into LUTs"),
     ("bell_rom", "ice40", "bram", 1, 1, "the table with its registers is one block RAM"),
+    *(("exp2_rom", family, "bram", 0, 0, "64 x 8 fit into LUTs") for family in CELLS),
+    ("power_rom", "ecp5", "bram", 1, 1, "two banks of 256 x 32 are one block RAM"),
+    ("power_rom", "ice40", "bram", 4, 4, "two banks of 256 x 32 are four block RAMs"),
+    *(("highlight_stage", family, "dsp", 0, 0, "highlights are looked up, shifted and added") for family in CELLS),
     ("stream_fifo", "ecp5", "lut_ram", 17, 17, "67 x 16 in LUT memory, four bits each"),
     ("stream_fifo", "ecp5", "bram", 0, 0, "LUT memory serves"),
     ("stream_fifo", "ice40", "bram", 5, 5, "67 x 16 in block RAM, sixteen bits each"),
