@@ -193,7 +193,7 @@ LitNodes LitSetups::taylor_nodes(const ScreenTriangle& triangle) const {
             power[k] =
                 ((power_table_entries - 1) * cosines.specular + 0.5) / (power_table_entries >> hls::power_integer_bits);
         }
-        constexpr const char* advice = "subdivide the mesh there, or take log-quadratic";
+        constexpr const char* advice = "take a darker light or a mesh of smaller triangles, or log-quadratic";
         for (int c = 0; c < hls::colour_channels; ++c) {
             std::array<double, 6> diffuse{};
             for (std::size_t k = 0; k < diffuse.size(); ++k) diffuse[k] = nodes.diffuse.colour[k][c];
