@@ -200,7 +200,7 @@ def fast_phong_block(results):
     times = by_name(part["rows"])
     base = times["gouraud"]["whole_seconds"]
     rows = []
-    for name in ("gouraud", "taylor", "taylor-finite", "duff", "phong", "quadratic", "log-quadratic"):
+    for name in ("gouraud", "taylor", "taylor-finite", "duff", "phong", "quadratic"):
         whole = times[name]["whole_seconds"]
         paper = FAST_PHONG.get(name)
         share = f"{100 * paper[1] / paper[0]:.0f} %" if paper and paper[1] else ""

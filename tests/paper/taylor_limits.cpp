@@ -64,7 +64,8 @@ ScreenTriangle curved_triangle(const Scene& scene, double degrees) {
 std::vector<Light> lights_all_round() {
     std::vector<Light> lights(60);
     for (std::size_t k = 0; k < lights.size(); ++k) {
-        const double height = glm::radians(6.0 * static_cast<double>(k / 4) + 3.0);
+        const std::size_t ring = k / 4;
+        const double height = glm::radians(6.0 * static_cast<double>(ring) + 3.0);
         const double turn = glm::two_pi<double>() * static_cast<double>(k) / 24.0;
         lights[k].vector = {std::cos(turn) * std::cos(height), std::sin(turn) * std::cos(height), std::sin(height)};
     }

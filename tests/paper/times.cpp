@@ -11,7 +11,7 @@
 namespace sheen::paper {
 namespace {
 
-constexpr int repetitions = 9;
+constexpr int repetitions = 25;
 
 ordered_json rows_of(const std::vector<Contestant>& contestants, int turns) {
     const std::vector<Times> times = race(contestants, turns);
@@ -52,9 +52,8 @@ ordered_json fast_phong_table() {
                               {"taylor-finite", Method::taylor_finite, &work},
                               {"duff", Method::duff, &work},
                               {"phong", Method::phong, &work},
-                              {"quadratic", Method::quadratic, &work},
-                              {"log-quadratic", Method::log_quadratic, &work}},
-                             5)}};
+                              {"quadratic", Method::quadratic, &work}},
+                             15)}};
 }
 
 ordered_json quadratic_ratio() {
@@ -176,7 +175,7 @@ ordered_json break_even() {
         const Workload work(scene);
         std::vector<Contestant> contestants;
         for (const auto& [name, method] : methods) contestants.push_back({name, method, &work});
-        const std::vector<Times> seconds = race(contestants, 7);
+        const std::vector<Times> seconds = race(contestants, 11);
         ordered_json row = {{"pixels_per_triangle", work.pixels / static_cast<double>(work.triangles.size())}};
         for (std::size_t c = 0; c < methods.size(); ++c) {
             row[methods[c].first] = {{"seconds", seconds[c].whole / work.pixels},
