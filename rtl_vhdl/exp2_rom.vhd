@@ -110,34 +110,31 @@ begin
   begin
     if rising_edge(clk) then
       whole := shift_left(resize(data, value_t'length), spare_bits);
-      case data_shift(1 downto 0) is
-        when "00" =>
-          near <= whole;
-        when "01" =>
-          near <= shift_right(whole, 1);
-        when "10" =>
-          near <= shift_right(whole, 2);
-        when others =>
-          near <= shift_right(whole, 3);
-      end case;
+      -- No case: GHDL 2.0 writes one into Verilog without its last choice, `others`.
+      if data_shift(1) then
+        whole := shift_right(whole, 2);
+      end if;
+      if data_shift(0) then
+        whole := shift_right(whole, 1);
+      end if;
+      near       <= whole;
       near_shift <= data_shift(3 downto 2);
       near_none  <= data_none;
     end if;
   end process near_stage;
 
   value_stage : process (clk) is
+    variable shifted : value_t;
   begin
     if rising_edge(clk) then
-      case near_shift is
-        when "00" =>
-          value <= near;
-        when "01" =>
-          value <= shift_right(near, 4);
-        when "10" =>
-          value <= shift_right(near, 8);
-        when others =>
-          value <= shift_right(near, 12);
-      end case;
+      shifted := near;
+      if near_shift(1) then
+        shifted := shift_right(shifted, 8);
+      end if;
+      if near_shift(0) then
+        shifted := shift_right(shifted, 4);
+      end if;
+      value <= shifted;
       if near_none then
         value <= (others => '0');
       end if;

@@ -52,7 +52,7 @@ architecture rtl of power_rom is
 
   type memory_t is array (0 to 2 ** (address_bits - lane_bits + 1) - 1) of word_t;
 
-  signal banks         : memory_t;
+  signal banks         : memory_t := (others => (others => '0'));
   signal write_place   : unsigned(address_bits - lane_bits downto 0);
   signal address       : unsigned(address_bits - lane_bits downto 0) := (others => '0');
   signal address_lane  : lane_t := (others => '0');
@@ -100,19 +100,19 @@ begin
   end process fetched_stage;
 
   entry_stage : process (clk) is
+    variable pair   : std_ulogic_vector(2 * component_bits - 1 downto 0);
     variable chosen : std_ulogic_vector(component_bits - 1 downto 0);
   begin
     if rising_edge(clk) then
-      case fetched_lane is
-        when "00" =>
-          chosen := fetched(7 downto 0);
-        when "01" =>
-          chosen := fetched(15 downto 8);
-        when "10" =>
-          chosen := fetched(23 downto 16);
-        when others =>
-          chosen := fetched(31 downto 24);
-      end case;
+      -- No case: GHDL 2.0 writes one into Verilog without its last choice, `others`.
+      pair := fetched(15 downto 0);
+      if fetched_lane(1) then
+        pair := fetched(31 downto 16);
+      end if;
+      chosen := pair(7 downto 0);
+      if fetched_lane(0) then
+        chosen := pair(15 downto 8);
+      end if;
       value <= shift_left(resize(unsigned(chosen), value'length), fraction_bits);
     end if;
   end process entry_stage;

@@ -6,6 +6,8 @@
 --                                 |                                                          ^   (pixel queue)
 --                                 +-- words -> forward_difference, one a channel ------------+
 --
+-- A core with log channels has a highlight_stage before its colour_stage; materials go there from the decoder.
+--
 -- Three triangles are in work at once: one arrives in the decoder, one is walked along its edges, one is drawn span by
 -- span. No clock enable runs through the datapath: when the pixel queue fills, a registered `go` stops the span
 -- walker, and what is under way finds room in the queue's reserve.
@@ -32,6 +34,8 @@ entity shading_core is
     has_quadratic  : boolean  := true;       -- second-order colour channels; without: flat and gouraud only
     colour_width   : positive := word_bits;  -- 10 bits of it integer
     depth_width    : positive := word_bits;  -- 16 bits of it integer
+    log_channels   : natural  := 0;          -- 0 to 3, each a highlight; they need has_quadratic
+    has_power      : boolean  := false;      -- each log channel has a loadable power table, too
     slices         : positive := 2;          -- each accumulator is cut into so many, one clock apart
     family         : string   := "plain"     -- accumulators for any FPGA, or for "ecp5"
   );
@@ -56,7 +60,7 @@ architecture rtl of shading_core is
 
   constant channel_base   : positive := geometry_words + phase_words;
   constant channel_words  : positive := choose(has_quadratic, quadratic_words, linear_words);
-  constant depth_base     : positive := channel_base + colour_channels * channel_words;
+  constant depth_base     : positive := channel_base + (colour_channels + log_channels) * channel_words;
   constant register_count : positive := choose(has_depth, depth_base + linear_words, depth_base);
 
   -- What the core says of itself: the data of the reply to a query.
@@ -99,12 +103,27 @@ architecture rtl of shading_core is
   signal span_part : span_command_t;
   signal command   : channel_command_t;
 
-  type colour_vector_t is array (0 to colour_channels - 1) of std_ulogic_vector(colour_integer_bits - 1 downto 0);
-  signal colour : colour_vector_t;                              -- s10.0
+  -- The highlight stage wants fraction bits, too.
+  constant colour_bits : positive := choose(log_channels > 0, diffuse_t'length, colour_integer_bits);
+  type value_vector_t is array (0 to colour_channels - 1) of std_ulogic_vector(colour_bits - 1 downto 0);
+  signal colour : value_vector_t;                                                 -- s10.0 or s10.4
   signal depth  : std_ulogic_vector(depth_bits - 1 downto 0) := (others => '0');  -- u16.0
 
   type fragment_vector_t is array (natural range <>) of fragment_t;
-  signal fragments : fragment_vector_t(0 to slices);
+  signal fragments       : fragment_vector_t(0 to slices);
+  signal walker_fragment : fragment_t;
+
+  -- What the colour stage makes a pixel of: the channels' values, or the highlight stage's.
+  signal lit_fragment : fragment_t;
+  type colour_vector_t is array (0 to colour_channels - 1) of std_ulogic_vector(colour_integer_bits - 1 downto 0);
+  signal lit_colour : colour_vector_t;                                           -- s10.0
+  signal lit_depth    : std_ulogic_vector(depth_bits - 1 downto 0);                -- u16.0
+
+  -- Between decoder and highlight stage.
+  signal material         : material_t;
+  signal table_write      : table_write_t;
+  signal material_applied : std_ulogic;
+  signal table_applied    : std_ulogic;
 
   -- Pixel queue.
   signal go           : std_ulogic := '0';
@@ -129,14 +148,28 @@ begin
     report "shading_core: depth_width is " & integer'image(depth_width) & ", it must lie in 16 to 32"
     severity failure;
 
+  assert log_channels <= max_log_channels and (has_quadratic or log_channels = 0)
+    report "shading_core: log_channels is " & integer'image(log_channels)
+           & ", it must lie in 0 to 3, and be 0 without has_quadratic"
+    severity failure;
+  assert log_channels > 0 or not has_power
+    report "shading_core: has_power needs log channels"
+    severity failure;
+
   -- A word each: GHDL 2.0 writes a constant of more than 64 bits into Verilog as a string, whose bits are characters.
-  description(0) <= std_ulogic_vector(to_unsigned(protocol_version + choose(has_depth, 2 ** 10, 0)
-                                                  + choose(has_quadratic, 2 ** 11, 0), word_bits));
+  description(0) <= std_ulogic_vector(to_unsigned(protocol_version + 2 ** 8 * log_channels
+                                                  + choose(has_depth, 2 ** 10, 0) + choose(has_quadratic, 2 ** 11, 0)
+                                                  + choose(has_power, 2 ** 12, 0), word_bits));
   description(1) <= std_ulogic_vector(to_unsigned(colour_width + 2 ** 8 * (colour_width - colour_integer_bits)
                                                   + 2 ** 16 * choose(has_depth, depth_width, 0)
                                                   + 2 ** 24 * phase_bits, word_bits));
-  description(2) <= std_ulogic_vector(to_unsigned(max_extent, word_bits));
-  description(3) <= std_ulogic_vector(to_unsigned(core_version, word_bits));
+  description(2) <= std_ulogic_vector(to_unsigned(max_extent + choose(log_channels > 0, 2 ** 12 * exp2_address_bits
+                                                                      + 2 ** 16 * word_bits
+                                                                      + 2 ** 24 * log_fraction_bits, 0), word_bits));
+  -- In parts, as a natural has 31 bits.
+  description(3) <= std_ulogic_vector(to_unsigned(choose(has_power, power_address_bits, 0), 4)
+                                      & to_unsigned(choose(log_channels > 0, exp2_data_bits, 0), 4)
+                                      & to_unsigned(core_version, 24));
 
   -- Setup stream: a queue whose flags are registers, then the decoder.
   beat_lanes : for k in 0 to words_per_beat - 1 generate
@@ -174,19 +207,25 @@ begin
       words_per_beat => words_per_beat,
       has_depth      => has_depth,
       has_quadratic  => has_quadratic,
+      log_channels   => log_channels,
+      has_power      => has_power,
       register_count => register_count
     )
     port map (
-      clk        => clk,
-      rst        => rst,
-      beat_valid => beat_valid,
-      beat_ready => beat_ready,
-      beat_words => beat_words,
-      beat_keep  => beat_keep,
-      beat_last  => beat_last,
-      job        => job,
-      job_taken  => job_taken,
-      words      => words
+      clk              => clk,
+      rst              => rst,
+      beat_valid       => beat_valid,
+      beat_ready       => beat_ready,
+      beat_words       => beat_words,
+      beat_keep        => beat_keep,
+      beat_last        => beat_last,
+      job              => job,
+      job_taken        => job_taken,
+      words            => words,
+      material         => material,
+      table_write      => table_write,
+      material_applied => material_applied,
+      table_applied    => table_applied
     );
 
   geometry <= to_geometry(words(0 to channel_base - 1));
@@ -239,7 +278,7 @@ begin
       head_taken => head_taken,
       go         => go,
       command    => span_part,
-      fragment   => fragments(0)
+      fragment   => walker_fragment
     );
 
   -- Channels follow the walkers by one clock, and so does their side of the span queue.
@@ -255,6 +294,40 @@ begin
   command <= (edge_part => edge_part, span_part => span_part, push => push, push_address => push_address,
               fetch => fetch_late, fetch_address => fetch_address_late);
 
+  -- The triangle's number of log channels, on the way of its channels' constants: job, edge part, span part.
+  log_count : if log_channels > 0 generate
+    signal job_log  : std_ulogic_vector(1 downto 0);
+    signal edge_log : std_ulogic_vector(1 downto 0);
+    signal span_log : std_ulogic_vector(1 downto 0);
+  begin
+
+    hand_over : process (clk) is
+    begin
+      if rising_edge(clk) then
+        if job_taken then
+          job_log <= job.log;
+        end if;
+        if edge_part.load then
+          edge_log <= job_log;
+        end if;
+        if span_part.load and span_part.first then
+          span_log <= edge_log;
+        end if;
+      end if;
+    end process hand_over;
+
+    join : process (all) is
+    begin
+      fragments(0)     <= walker_fragment;
+      fragments(0).log <= span_log;
+    end process join;
+
+  else generate
+
+    fragments(0) <= walker_fragment;
+
+  end generate log_count;
+
   colour_channel : for c in 0 to colour_channels - 1 generate
 
     channel : entity sheen.forward_difference
@@ -263,7 +336,7 @@ begin
         slices       => slices,
         family       => family,
         second_order => has_quadratic,
-        value_bits   => colour_integer_bits
+        value_bits   => colour_bits
       )
       port map (
         clk     => clk,
@@ -310,16 +383,82 @@ begin
 
   end generate align;
 
+  highlights : if log_channels > 0 generate
+    signal logs : log_vector_t(0 to log_channels - 1);
+  begin
+
+    log_channel : for k in 0 to log_channels - 1 generate
+      constant base  : positive := channel_base + (colour_channels + k) * channel_words;
+      signal value : std_ulogic_vector(log_t'length - 1 downto 0);
+    begin
+
+      channel : entity sheen.forward_difference
+        generic map (
+          width        => word_bits,
+          slices       => slices,
+          family       => family,
+          second_order => true,
+          value_bits   => log_t'length
+        )
+        port map (
+          clk     => clk,
+          command => command,
+          present => '1',
+          words   => words(base to base + channel_words - 1),
+          value   => value
+        );
+
+      logs(k) <= signed(value);
+
+    end generate log_channel;
+
+    stage : entity sheen.highlight_stage
+      generic map (
+        log_channels => log_channels,
+        has_power    => has_power
+      )
+      port map (
+        clk              => clk,
+        rst              => rst,
+        fragment         => fragments(slices),
+        red              => colour(0),
+        green            => colour(1),
+        blue             => colour(2),
+        depth            => depth,
+        logs             => logs,
+        pending          => material,
+        write            => table_write,
+        material_applied => material_applied,
+        table_applied    => table_applied,
+        fragment_out     => lit_fragment,
+        red_out          => lit_colour(0),
+        green_out        => lit_colour(1),
+        blue_out         => lit_colour(2),
+        depth_out        => lit_depth
+      );
+
+  else generate
+
+    lit_fragment     <= fragments(slices);
+    lit_colour(0)    <= colour(0);
+    lit_colour(1)    <= colour(1);
+    lit_colour(2)    <= colour(2);
+    lit_depth        <= depth;
+    material_applied <= '0';
+    table_applied    <= '0';
+
+  end generate highlights;
+
   colours : entity sheen.colour_stage
     port map (
       clk         => clk,
       rst         => rst,
       description => description,
-      fragment    => fragments(slices),
-      red         => colour(0),
-      green       => colour(1),
-      blue        => colour(2),
-      depth       => depth,
+      fragment    => lit_fragment,
+      red         => lit_colour(0),
+      green       => lit_colour(1),
+      blue        => lit_colour(2),
+      depth       => lit_depth,
       valid       => pixel_valid,
       fence       => pixel_fence,
       word        => pixel_word
@@ -329,7 +468,7 @@ begin
     generic map (
       width      => pixel_bits + 1,
       depth_log2 => pixel_queue_log2,
-      reserve    => pixel_queue_reserve
+      reserve    => pixel_queue_reserve + choose(log_channels > 0, highlight_latency + log_channels, 0)
     )
     port map (
       clk           => clk,

@@ -27,6 +27,7 @@ package sheen_pkg is
     leftward : std_ulogic;                     -- triangle flags
     linear   : std_ulogic;
     depth    : std_ulogic;
+    log      : std_ulogic_vector(1 downto 0);  -- number of log channels
     code     : std_ulogic_vector(1 downto 0);  -- message: error code, 0 for the answer to a fence or a query
     header   : word_t;                         -- message: the header it answers
   end record job_t;
@@ -95,7 +96,8 @@ package sheen_pkg is
   type fragment_t is record
     valid   : std_ulogic;
     message : std_ulogic;
-    query   : std_ulogic;    -- message: word x of a query reply
+    query   : std_ulogic;                     -- message: word x of a query reply
+    log     : std_ulogic_vector(1 downto 0);  -- pixel: log channels of its triangle
     x       : coordinate_t;
     y       : coordinate_t;
     tail    : coordinate_t;  -- message: {opcode, 00, code}
@@ -105,9 +107,28 @@ package sheen_pkg is
   type table_write_t is record
     valid   : std_ulogic;
     bank    : std_ulogic;
-    address : unsigned(10 downto 0);  -- of the word; as many bits as the table has
+    address : unsigned(power_word_bits - 1 downto 0);
     data    : word_t;                 -- four entries u8.0, the first in the low bits
   end record table_write_t;
+
+  constant no_table_write : table_write_t := (valid => '0', bank => '0', address => (others => '0'),
+                                              data => (others => '0'));
+
+  subtype ambient_t is unsigned(component_bits + colour_sum_fraction_bits - 1 downto 0);                   -- u8.4
+  subtype diffuse_t is std_ulogic_vector(colour_integer_bits + colour_sum_fraction_bits - 1 downto 0);     -- s10.4
+  subtype log_t is signed(log_integer_bits + exp2_address_bits - 1 downto 0);                              -- s8.6
+  type log_vector_t is array (natural range <>) of log_t;
+
+  -- What a material packet says, cut to what the datapath keeps.
+  type material_t is record
+    red   : ambient_t;
+    green : ambient_t;
+    blue  : ambient_t;
+    power : std_ulogic_vector(max_log_channels - 1 downto 0);  -- bit k: log channel k is a cosine, for power_rom
+  end record material_t;
+
+  constant no_material : material_t := (red => (others => '0'), green => (others => '0'), blue => (others => '0'),
+                                        power => (others => '0'));
 
   constant span_width : positive := 3 * coordinate_bits + 4;
 

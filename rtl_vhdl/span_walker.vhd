@@ -82,7 +82,8 @@ begin
   begin
     if rising_edge(clk) then
       command  <= (load => load, first => head.first, step => steps);
-      fragment <= (valid => go and active, message => message, query => query, x => x, y => y, tail => remaining);
+      fragment <= (valid => go and active, message => message, query => query, log => "00", x => x, y => y,
+                   tail => remaining);
       if rst then
         fragment.valid <= '0';
       end if;

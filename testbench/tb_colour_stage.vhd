@@ -42,7 +42,7 @@ architecture tb of tb_colour_stage is
     to_string(stall_percent);
   constant path         : string := vector_path(vector_folder, "colour_stage", generics);
   constant no_fragment  : fragment_t := (
-    x => (others => '0'), y => (others => '0'), tail => (others => '0'), others => '0');
+    log => "00", x => (others => '0'), y => (others => '0'), tail => (others => '0'), others => '0');
 
   subtype colour_t is std_ulogic_vector(colour_integer_bits - 1 downto 0);
 

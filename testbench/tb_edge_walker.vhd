@@ -38,7 +38,8 @@ architecture tb of tb_edge_walker is
   constant path         : string := vector_path(vector_folder, "edge_walker", generics);
 
   constant no_job : job_t := (
-    valid => '0', message => '0', leftward => '0', linear => '0', depth => '0', code => "00", header => (others => '0')
+    valid => '0', message => '0', leftward => '0', linear => '0', depth => '0', log => "00", code => "00",
+    header => (others => '0')
   );
 
   signal clk         : std_ulogic := '0';

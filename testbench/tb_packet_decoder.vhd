@@ -9,6 +9,7 @@
 -- and of those that leave a job untaken.
 
 library ieee;
+use ieee.numeric_std.all;
 use ieee.std_logic_1164.all;
 
 library std;
@@ -29,6 +30,8 @@ entity tb_packet_decoder is
     words_per_beat : positive;
     has_depth      : boolean;
     has_quadratic  : boolean;
+    log_channels   : natural;
+    has_power      : boolean;
     stall_percent  : natural;
     count          : positive;
     seed           : positive;
@@ -41,11 +44,13 @@ architecture tb of tb_packet_decoder is
   constant latency        : positive := sheen.packet_decoder'latency;
   constant clock_period   : time := 10 ns;
   constant register_count : positive :=
-    geometry_words + phase_words + colour_channels * choose(has_quadratic, quadratic_words, linear_words)
+    geometry_words + phase_words
+    + (colour_channels + log_channels) * choose(has_quadratic, quadratic_words, linear_words)
     + choose(has_depth, linear_words, 0);
   constant generics : string :=
     "words_per_beat=" & to_string(words_per_beat) & ",has_depth=" & to_string(has_depth) & ",has_quadratic="
-    & to_string(has_quadratic) & ",stall_percent=" & to_string(stall_percent);
+    & to_string(has_quadratic) & ",log_channels=" & to_string(log_channels) & ",has_power=" & to_string(has_power)
+    & ",stall_percent=" & to_string(stall_percent);
   constant path : string := vector_path(vector_folder, "packet_decoder", generics);
 
   signal clk        : std_ulogic := '0';
@@ -59,6 +64,11 @@ architecture tb of tb_packet_decoder is
   signal job_taken  : std_ulogic := '0';
   signal words      : word_vector_t(0 to register_count - 1);
 
+  signal material         : material_t;
+  signal table_write      : table_write_t;
+  signal material_applied : std_ulogic := '0';
+  signal table_applied    : std_ulogic := '0';
+
 begin
 
   clk <= not clk after clock_period / 2;
@@ -69,6 +79,7 @@ begin
     variable number : positive := 1;
 
     variable triangle_before : boolean := false;  -- the clock before had a triangle's job
+    variable material_known  : boolean := false;  -- a material has come
 
     impure function next_bit return std_ulogic is
       variable word : std_ulogic;
@@ -92,7 +103,9 @@ begin
       for lane in beat_words'range loop
         beat_words(lane) <= next_word(word_t'length);
       end loop;
-      job_taken <= next_bit;
+      job_taken        <= next_bit;
+      material_applied <= next_bit;
+      table_applied    <= next_bit;
     end procedure;
 
     procedure compare(got, expected : std_ulogic; name : string) is
@@ -110,6 +123,8 @@ begin
       variable expected   : job_t;
       variable word       : word_t;
       variable a_triangle : boolean;
+      variable a_material : material_t;
+      variable a_write    : table_write_t;
     begin
       compare(beat_ready, next_bit, "beat_ready");
       expected.valid    := next_bit;
@@ -117,6 +132,7 @@ begin
       expected.leftward := next_bit;
       expected.linear   := next_bit;
       expected.depth    := next_bit;
+      expected.log      := next_word(2);
       expected.code     := next_word(2);
       expected.header   := next_word(word_t'length);
       compare(job.valid, expected.valid, "job.valid");
@@ -128,9 +144,34 @@ begin
         compare(job.leftward, expected.leftward, "job.leftward");
         compare(job.linear, expected.linear, "job.linear");
         compare(job.depth, expected.depth, "job.depth");
+        compare(job.log, expected.log, "job.log");
       elsif expected.valid = '1' then
         compare(job.code, expected.code, "job.code");
         compare(job.header, expected.header, "job.header");
+      end if;
+      a_material.red   := unsigned(next_word(ambient_t'length));
+      a_material.green := unsigned(next_word(ambient_t'length));
+      a_material.blue  := unsigned(next_word(ambient_t'length));
+      a_material.power := next_word(max_log_channels);
+      if expected.valid = '1' and expected.message = '1' and expected.code = "00"
+        and unsigned(expected.header(31 downto 24)) = opcode_material then
+        material_known := true;
+      end if;
+      if material_known then
+        compare(std_ulogic_vector(material.red), std_ulogic_vector(a_material.red), "material.red");
+        compare(std_ulogic_vector(material.green), std_ulogic_vector(a_material.green), "material.green");
+        compare(std_ulogic_vector(material.blue), std_ulogic_vector(a_material.blue), "material.blue");
+        compare(material.power, a_material.power, "material.power");
+      end if;
+      a_write.valid   := next_bit;
+      a_write.bank    := next_bit;
+      a_write.address := unsigned(next_word(power_word_bits));
+      a_write.data    := next_word(word_t'length);
+      compare(table_write.valid, a_write.valid, "table_write.valid");
+      if a_write.valid = '1' then
+        compare(table_write.bank, a_write.bank, "table_write.bank");
+        compare(std_ulogic_vector(table_write.address), std_ulogic_vector(a_write.address), "table_write.address");
+        compare(table_write.data, a_write.data, "table_write.data");
       end if;
       for r in words'range loop
         word := next_word(word_t'length);
@@ -191,6 +232,8 @@ begin
       words_per_beat => words_per_beat,
       has_depth      => has_depth,
       has_quadratic  => has_quadratic,
+      log_channels   => log_channels,
+      has_power      => has_power,
       register_count => register_count
     )
     port map (
@@ -203,7 +246,11 @@ begin
       beat_last  => beat_last,
       job        => job,
       job_taken  => job_taken,
-      words      => words
+      words      => words,
+      material         => material,
+      table_write      => table_write,
+      material_applied => material_applied,
+      table_applied    => table_applied
     );
 
 end architecture;

@@ -107,7 +107,7 @@ begin
           read_word(vector, path, number, t_word);
           read_word(vector, path, number, known);
           read_word(vector, path, number, value_word);
-          write    <= (write_valid, write_bank, resize(unsigned(write_place), 11), write_data);
+          write    <= (write_valid, write_bank, resize(unsigned(write_place), power_word_bits), write_data);
           bank     <= bank_word;
           t        <= signed(t_word);
           expected <= ('1', known, unsigned(value_word), number);

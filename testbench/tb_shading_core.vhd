@@ -30,6 +30,8 @@ entity tb_shading_core is
     words_per_beat : positive;
     has_depth      : boolean;
     has_quadratic  : boolean;
+    log_channels   : natural;
+    has_power      : boolean;
     slices         : positive;
     stall_percent  : natural;
     count          : positive;
@@ -44,7 +46,7 @@ architecture tb of tb_shading_core is
   constant patience     : time := 10000 * clock_period;  -- longest wait for a word or for tready
   constant generics     : string :=
     "words_per_beat=" & to_string(words_per_beat) & ",has_depth=" & to_string(has_depth) & ",has_quadratic="
-    & to_string(has_quadratic);
+    & to_string(has_quadratic) & ",log_channels=" & to_string(log_channels) & ",has_power=" & to_string(has_power);
   constant path : string := vector_path(vector_folder, "shading_core", generics);
 
   type beat_t is record
@@ -244,6 +246,8 @@ begin
       words_per_beat => words_per_beat,
       has_depth      => has_depth,
       has_quadratic  => has_quadratic,
+      log_channels   => log_channels,
+      has_power      => has_power,
       slices         => slices
     )
     port map (

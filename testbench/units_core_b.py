@@ -6,13 +6,17 @@ from itertools import product
 from vector_configs import add_vector_configs
 
 SHAPES = ((1, 2, 4), (False, True), (False, True))
+PLAIN = list(product(*SHAPES, (0,), (False,)))
+LIT = [(1, True, True, 1, True), (2, False, True, 1, False), (2, True, True, 3, True), (4, True, True, 2, True)]
+CORE = ("words_per_beat", "has_depth", "has_quadratic", "log_channels", "has_power")
 
 UNITS = {
-    "packet_decoder": (("words_per_beat", "has_depth", "has_quadratic"), list(product(*SHAPES))),
+    "packet_decoder": (CORE, PLAIN + LIT),
     "edge_walker": ((), [()]),
     "shading_core": (
-        ("words_per_beat", "has_depth", "has_quadratic", "slices"),
-        [*product(*SHAPES, (2,)), (1, True, True, 1), (2, False, True, 1), (4, True, False, 1)],
+        (*CORE, "slices"),
+        [*((*shape, 2) for shape in PLAIN + LIT), (1, True, True, 0, False, 1), (2, False, True, 0, False, 1),
+         (4, True, False, 0, False, 1), (2, True, True, 3, True, 1)],
     ),
 }
 

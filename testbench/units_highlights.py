@@ -4,8 +4,8 @@
 from vector_configs import add_vector_configs
 
 UNITS = {
-    "exp2_rom": (("address_bits", "data_bits", "fraction_bits"), [(6, 8, 0), (6, 8, 2), (6, 10, 2), (7, 10, 4)]),
-    "power_rom": (("address_bits", "fraction_bits"), [(10, 0), (10, 2), (7, 2)]),
+    "exp2_rom": (("address_bits", "data_bits", "fraction_bits"), [(6, 8, 0), (6, 8, 4), (6, 10, 2), (7, 10, 4)]),
+    "power_rom": (("address_bits", "fraction_bits"), [(10, 0), (10, 4), (7, 2)]),
     "highlight_stage": (("log_channels", "has_power"),
                         [(channels, power) for power in ("false", "true") for channels in (1, 2, 3)]),
 }

@@ -18,7 +18,8 @@ namespace {
 constexpr unsigned seed = 20252;
 
 template <typename shape>
-using decoder_of = hls::packet_decoder<shape::words_per_beat, shape::has_depth, shape::has_quadratic>;
+using decoder_of = hls::packet_decoder<shape::words_per_beat, shape::has_depth, shape::has_quadratic,
+                                       shape::log_channels, shape::has_power>;
 
 /// A job in plain numbers; the words are those that the packet carries, in its order.
 struct Job {
@@ -73,7 +74,7 @@ Job job_of(const typename decoder_of<shape>::state_t& state) {
         for (int r = first; r < first + count; ++r) job.words.push_back(state.words[r].to_uint());
     };
     take(0, 10);
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 3 + state.job.log.to_int(); ++c)
         take(decoder::channel_base + c * decoder::channel_words, job.linear ? 3 : decoder::channel_words);
     if (job.depth) take(decoder::depth_base, decoder::register_count - decoder::depth_base);
     return job;
@@ -91,10 +92,21 @@ Outcome decode(const std::vector<StreamPacket>& packets, Rng& rng, unsigned stal
     using decoder = decoder_of<shape>;
     typename decoder::state_t state;
     Outcome outcome;
+    int material_arrives = 0;
+    int table_arrives = 0;
     const auto stalls = [&] { return stall_percent != 0 && rng() % 100 < stall_percent; };
     const auto clock = [&](const typename decoder::beat_t& beat) {
         const bool taken = state.job.valid && !stalls();
-        state = decoder::step(state, beat, taken);
+        // The highlight stage tells of a message's arrival some clocks after it was taken.
+        typename decoder::applied_t applied;
+        applied.material = material_arrives != 0 && --material_arrives == 0;
+        applied.table = table_arrives != 0 && --table_arrives == 0;
+        if (taken && state.job.message != 0 && state.job.code == 0) {
+            const std::uint32_t opcode = state.job.header.to_uint() >> 24;
+            if (opcode == hls::opcode_material) material_arrives = 3;
+            if (opcode == hls::opcode_table) table_arrives = 3;
+        }
+        state = decoder::step(state, beat, taken, applied);
         if (taken) outcome.jobs.push_back(job_of<shape>(state));  // channels load in the clock after
         ++outcome.clocks;
     };

@@ -21,7 +21,7 @@ class Rom {
  public:
     void load(int bank, const std::vector<int>& table) {
         for (int word = 0; word < entries / 4; ++word) {
-            unit::write_t write;
+            sheen::hls::table_write_t write;
             write.valid = 1;
             write.bank = bank;
             write.address = word;
@@ -32,7 +32,7 @@ class Rom {
         }
     }
     /// The entry that t brings, `latency` clocks later, with its fraction.
-    int clock(int t, int bank, const unit::write_t& write = {}) {
+    int clock(int t, int bank, const sheen::hls::table_write_t& write = {}) {
         const sheen::hls::word_t read = memory_[state_.address.to_uint()];
         state_ = unit::step(state_, t, bank, read);
         if (write.valid != 0) memory_[unit::place(write).to_uint()] = write.data;

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <random>
+#include <string>
 
 #include "sheen/error.hpp"
 #include "sheen/hls/formats.hpp"
@@ -64,6 +67,82 @@ TEST(render, a_picture_s_packets_are_its_triangles_and_then_a_fence) {
     EXPECT_EQ(packets, expected);
 }
 
+/// A setup with one log channel.
+sheen::TriangleSetup lit_setup(int ambient, const std::shared_ptr<const sheen::PowerEntries>& table = nullptr) {
+    sheen::TriangleSetup setup;
+    setup.log.resize(1);
+    setup.material.ambient = {ambient, 2, 3};
+    setup.material.power_channels = table == nullptr ? 0 : 1;
+    setup.table = table;
+    return setup;
+}
+
+std::shared_ptr<const sheen::PowerEntries> filled_table(std::uint8_t entry) {
+    return std::make_shared<const sheen::PowerEntries>(1024, entry);
+}
+
+TEST(render, a_material_and_a_table_are_sent_before_the_first_triangle_that_needs_them_and_when_they_change) {
+    const auto one = filled_table(1);
+    const auto same = filled_table(1);
+    const auto two = filled_table(2);
+    const auto lit_by = [](const std::shared_ptr<const sheen::PowerEntries>& table) { return lit_setup(7, table); };
+    const std::vector<sheen::TriangleSetup> setups{{},          lit_setup(7), lit_setup(7), {},           lit_setup(8),
+                                                   lit_by(one), lit_by(one),  lit_by(same), lit_setup(8), lit_by(one),
+                                                   lit_by(two), {},           lit_by(two),  lit_by(one)};
+    const Words32 packets = sheen::picture_packets(setups);
+    // t: triangle, m: material, p: power table.
+    std::string order;
+    for (std::size_t at = 0; at < packets.size();) {
+        const sheen::PacketHeader found = sheen::decode_header(packets[at]);
+        order += found.opcode == sheen::hls::opcode_table      ? 'p'
+                 : found.opcode == sheen::hls::opcode_material ? 'm'
+                 : found.opcode == sheen::hls::opcode_triangle ? 't'
+                                                               : 'f';
+        at += 1 + static_cast<std::size_t>(found.length);
+    }
+    EXPECT_EQ(order, "tmtttmtpmtttmtmtptttptf");
+    Words32 first;
+    sheen::append_triangle(first, {});
+    sheen::append_material(first, setups[1].material);
+    EXPECT_TRUE(std::equal(first.begin(), first.end(), packets.begin()));
+}
+
+/// A core that has everything.
+sheen::Capabilities rich_core() {
+    sheen::Capabilities core;
+    core.log_channels = 3;
+    core.depth = core.quadratic = true;
+    core.power_address_bits = 10;
+    return core;
+}
+
+TEST(render, what_a_core_lacks_is_named_before_anything_is_sent) {
+    sheen::TriangleSetup full = lit_setup(1, filled_table(9));
+    full.log.resize(3);
+    full.depth.emplace();
+    EXPECT_FALSE(sheen::why_incapable(rich_core(), {full, {}}).has_value());
+    const auto reason = [&](const sheen::Capabilities& core) {
+        return sheen::why_incapable(core, {{}, full}).value_or("");
+    };
+    sheen::Capabilities core = rich_core();
+    core.log_channels = 2;
+    EXPECT_EQ(reason(core), "the core has 2 log channels, and a triangle needs 3");
+    core = rich_core();
+    core.power_address_bits = 0;
+    EXPECT_EQ(reason(core), "the core has no power table, and a triangle needs one");
+    core.power_address_bits = 8;
+    EXPECT_EQ(reason(core), "the core has power tables of 256 entries, and a triangle needs 1024");
+    core = rich_core();
+    core.depth = false;
+    EXPECT_EQ(reason(core), "the core has no depth channel, and a triangle needs one");
+    core = rich_core();
+    core.quadratic = false;
+    EXPECT_EQ(reason(core), "the core has linear colour only, and a triangle needs quadratic");
+    sheen::TriangleSetup plain;
+    plain.linear = true;
+    EXPECT_FALSE(sheen::why_incapable({}, {plain}).has_value());
+}
+
 TEST(render, pixels_before_the_echo_make_the_picture_and_the_nearer_one_stays) {
     CannedDevice device({pixel(1, 2, 700, 10), pixel(1, 2, 600, 20), pixel(1, 2, 800, 30), pixel(7, 5, 1, 40), echo()},
                         9);
@@ -112,7 +191,8 @@ TEST(render, figures_count_accepted_triangles_by_framing_and_pixels_by_words) {
         for (int packet = below(20); packet > 0; --packet) {
             const bool is_triangle = below(2) == 0;
             const int length = below(5);
-            packets.push_back(header(is_triangle ? sheen::hls::opcode_triangle : 7, length));
+            const int other = below(2) == 0 ? sheen::hls::opcode_material : 7;
+            packets.push_back(header(is_triangle ? sheen::hls::opcode_triangle : other, length));
             const std::uint32_t own = packets.back();
             // Payloads that look like triangle headers must not count.
             packets.insert(packets.end(), static_cast<std::size_t>(length), header(sheen::hls::opcode_triangle, 0));

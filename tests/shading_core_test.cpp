@@ -25,7 +25,8 @@ using Packets = std::vector<StreamPacket>;
 using PixelWords = std::vector<std::uint64_t>;
 
 template <typename shape>
-using config_of = hls::core_config<shape::words_per_beat, shape::has_depth, shape::has_quadratic>;
+using config_of = hls::core_config<shape::words_per_beat, shape::has_depth, shape::has_quadratic, 32, 32,
+                                   shape::log_channels, shape::has_power>;
 
 std::uint64_t message(int kind, int tail, std::uint32_t data) {
     return static_cast<std::uint64_t>(data) << 32 | static_cast<std::uint64_t>(tail) << 24 |
@@ -33,27 +34,45 @@ std::uint64_t message(int kind, int tail, std::uint32_t data) {
 }
 
 PixelWords query_reply(const CoreShape& shape) {
-    const std::uint32_t channels = (shape.depth ? 1U << 10 : 0U) | (shape.quadratic ? 1U << 11 : 0U);
+    const std::uint32_t channels = static_cast<std::uint32_t>(shape.log_channels) << 8 | (shape.depth ? 1U << 10 : 0U) |
+                                   (shape.quadratic ? 1U << 11 : 0U) | (shape.power ? 1U << 12 : 0U);
+    const bool lit = shape.log_channels > 0;
     return {message(2, 0, 1 | channels), message(2, 1, 32 | 22 << 8 | (shape.depth ? 32 << 16 : 0) | 32 << 24),
-            message(2, 2, 4095), message(2, 3, hls::core_version)};
+            message(2, 2, 4095 | (lit ? 6U << 12 | 32U << 16 | 24U << 24 : 0U)),
+            message(2, 3, hls::core_version | (lit ? 8U << 24 : 0U) | (shape.power ? 10U << 28 : 0U))};
 }
 
-/// The answer to one packet.
-PixelWords expected_answer(const StreamPacket& packet, const CoreShape& shape) {
+/// The answer to one packet, which may change what holds for those that follow.
+PixelWords expected_answer(const StreamPacket& packet, const CoreShape& shape, Lighting& lighting) {
     const std::uint32_t header = packet[0].words[0];
     const int error = packet_error(packet, shape);
     if (error != 0) return {message(1, error, header)};
     if (is_triangle(packet)) {
         const std::vector<std::uint32_t> words = words_of(packet);
-        return expected_pixels(decode_triangle(words.data(), words.size()));
+        return expected_pixels(decode_triangle(words.data(), words.size()), lighting);
+    }
+    if (header >> 24 == hls::opcode_material || header >> 24 == hls::opcode_table) {
+        const std::vector<std::uint32_t> words = words_of(packet);
+        if (header >> 24 == hls::opcode_material) {
+            lighting.set_material(words);
+        } else {
+            lighting.set_table(words);
+        }
+        return {};
     }
     return header >> 24 == 0 ? query_reply(shape) : PixelWords{message(0, 0, header)};
 }
 
+PixelWords expected_answer(const StreamPacket& packet, const CoreShape& shape) {
+    Lighting lighting;
+    return expected_answer(packet, shape, lighting);
+}
+
 PixelWords expected_answers(const Packets& packets, const CoreShape& shape) {
     PixelWords words;
+    Lighting lighting;
     for (const StreamPacket& packet : packets) {
-        const PixelWords answer = expected_answer(packet, shape);
+        const PixelWords answer = expected_answer(packet, shape, lighting);
         words.insert(words.end(), answer.begin(), answer.end());
     }
     return words;

@@ -67,7 +67,7 @@ c.arrow((586, 160), (586, 296), dash="2 3")
 c.text(593, 205, "addresses", 12, "start", mono=True)
 c.arrow((782, 335), (858, 335), (858, 160))
 c.text(866, 262, "upper bits of I:", 12, "start")
-c.text(866, 279, "s10.2 colour", 12, "start")
+c.text(866, 279, "s10.4 colour", 12, "start")
 c.text(866, 296, "u16.0 depth", 12, "start")
 c.text(866, 313, "s8.6 log", 12, "start")
 

@@ -7,7 +7,7 @@
 #include "sheen/hls/exp2_rom.hpp"
 #include "sheen/hls/formats.hpp"
 
-/// z: s8.6 in the low 14 bits; near, value: u8.2.
+/// z: s8.6 in the low 14 bits; near, value: u8.4.
 extern "C" void exp2_rom_step(std::int16_t z, std::uint8_t address, std::uint8_t address_shift, bool address_none,
                               std::uint8_t data, std::uint8_t data_shift, bool data_none, std::uint16_t near,
                               std::uint8_t near_shift, bool near_none, std::uint8_t* next_address,

@@ -76,10 +76,10 @@ stage::exp2::state_t exp2_of(const port_t& port) {
     state.data = port.slc<8>(11);
     state.data_shift = port.slc<4>(19);
     state.data_none = port[23];
-    state.near = port.slc<10>(24);
-    state.near_shift = port.slc<2>(34);
-    state.near_none = port[36];
-    state.value = port.slc<10>(37);
+    state.near = port.slc<12>(24);
+    state.near_shift = port.slc<2>(36);
+    state.near_none = port[38];
+    state.value = port.slc<12>(39);
     return state;
 }
 
@@ -92,21 +92,21 @@ std::uint64_t exp2_port(const stage::exp2::state_t& state) {
     port.set_slc(19, state.data_shift);
     port.set_slc(23, state.data_none);
     port.set_slc(24, state.near);
-    port.set_slc(34, state.near_shift);
-    port.set_slc(36, state.near_none);
-    port.set_slc(37, state.value);
+    port.set_slc(36, state.near_shift);
+    port.set_slc(38, state.near_none);
+    port.set_slc(39, state.value);
     return port.to_uint64();
 }
 
 }  // namespace
 
-/// fragment, fragment_*: a fragment and its depth; diffuse: s10.2 each; log: s8.6 in the low 14 bits; pending,
-/// material: ambient u8.2 each; colour_*: u10.2 each; exp2: the state of the table; next_colour: s10.0 each.
+/// fragment, fragment_*: a fragment and its depth; diffuse: s10.4 each; log: s8.6 in the low 14 bits; pending,
+/// material: ambient u8.4 each; colour_*: u10.4 each; exp2: the state of the table; next_colour: s10.0 each.
 extern "C" void highlight_stage_step(
-    std::uint64_t fragment, std::uint64_t diffuse, std::int16_t log, std::uint32_t pending, std::uint32_t material,
+    std::uint64_t fragment, std::uint64_t diffuse, std::int16_t log, std::uint64_t pending, std::uint64_t material,
     std::uint64_t fragment_0, std::uint64_t fragment_1, std::uint64_t fragment_2, std::uint64_t fragment_3,
     std::uint64_t colour_0, std::uint64_t colour_1, std::uint64_t colour_2, std::uint64_t colour_3, std::uint64_t exp2,
-    std::uint32_t* next_material, bool* next_material_applied, bool* next_table_applied, std::uint64_t* next_fragment_0,
+    std::uint64_t* next_material, bool* next_material_applied, bool* next_table_applied, std::uint64_t* next_fragment_0,
     std::uint64_t* next_fragment_1, std::uint64_t* next_fragment_2, std::uint64_t* next_fragment_3,
     std::uint64_t* next_colour_0, std::uint64_t* next_colour_1, std::uint64_t* next_colour_2,
     std::uint64_t* next_colour_3, std::uint64_t* next_exp2, std::uint64_t* next_fragment, std::uint32_t* next_colour) {
@@ -129,8 +129,7 @@ extern "C" void highlight_stage_step(
 
     const stage::state_t next = stage::step(state, arriving, values, material_of(pending), {});
     const auto lane_colour = [](const stage::lane_t& lane) { return colour_port(lane.red, lane.green, lane.blue); };
-    *next_material =
-        static_cast<std::uint32_t>(colour_port(next.material.red, next.material.green, next.material.blue));
+    *next_material = colour_port(next.material.red, next.material.green, next.material.blue);
     *next_material_applied = next.material_applied != 0;
     *next_table_applied = next.table_applied != 0;
     *next_fragment_0 = fragment_port(next.lane[0].fragment, next.lane[0].depth);

@@ -15,7 +15,7 @@ using port_t = ac_int<64, false>;
 
 bit_t flag(const port_t& port, unsigned index) { return port[index]; }
 
-/// Control: phase, beat_index, broken, verdict, the job's fields but its header, and when the held-back write goes
+/// Control: phase, beat_index, framing, verdict, the job's fields but its header, and when the held-back write goes
 /// where.
 void take_control(decoder::state_t& s, const port_t& control) {
     s.phase = control.slc<2>(0);
@@ -23,7 +23,7 @@ void take_control(decoder::state_t& s, const port_t& control) {
     s.broken = flag(control, 8);
     s.verdict.age = control.slc<2>(9);
     s.verdict.triangle = flag(control, 11);
-    s.verdict.answered = flag(control, 12);
+    s.framed = flag(control, 12);
     s.verdict.known = flag(control, 13);
     s.verdict.served = flag(control, 14);
     s.verdict.expected = control.slc<16>(15);
@@ -39,6 +39,8 @@ void take_control(decoder::state_t& s, const port_t& control) {
     s.verdict.at_final = flag(control, 48);
     s.write.valid = flag(control, 49);
     s.write_index = control.slc<6>(50);
+    s.last_keep = control.slc<2>(56);
+    s.settled = flag(control, 58);
 }
 
 port_t control_of(const decoder::state_t& s) {
@@ -48,7 +50,7 @@ port_t control_of(const decoder::state_t& s) {
     control.set_slc(8, s.broken);
     control.set_slc(9, s.verdict.age);
     control.set_slc(11, s.verdict.triangle);
-    control.set_slc(12, s.verdict.answered);
+    control.set_slc(12, s.framed);
     control.set_slc(13, s.verdict.known);
     control.set_slc(14, s.verdict.served);
     control.set_slc(15, s.verdict.expected);
@@ -64,6 +66,8 @@ port_t control_of(const decoder::state_t& s) {
     control.set_slc(48, s.verdict.at_final);
     control.set_slc(49, s.write.valid);
     control.set_slc(50, s.write_index);
+    control.set_slc(56, s.last_keep);
+    control.set_slc(58, s.settled);
     return control;
 }
 

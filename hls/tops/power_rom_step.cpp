@@ -7,7 +7,7 @@
 #include "sheen/hls/formats.hpp"
 #include "sheen/hls/power_rom.hpp"
 
-/// t: s8.6 in the low 14 bits; read: the memory's word at `address`; value: u8.2.
+/// t: s8.6 in the low 14 bits; read: the memory's word at `address`; value: u8.4.
 extern "C" void power_rom_step(std::int16_t t, bool bank, std::uint32_t read, std::uint8_t address_lane,
                                std::uint32_t memory, std::uint8_t memory_lane, std::uint32_t fetched,
                                std::uint8_t fetched_lane, std::uint16_t* next_address, std::uint8_t* next_address_lane,

@@ -9,7 +9,9 @@
 namespace sheen {
 namespace {
 
-using core_t = hls::shading_core<hls::core_config<>>;
+/// All that the methods ask for; GHDL and Verilator run the VHDL with the same generics (cmake/devices.cmake).
+using device_config = hls::core_config<2, true, true, hls::word_bits, hls::word_bits, 3, true>;
+using core_t = hls::shading_core<device_config>;
 using beat_t = core_t::decoder::beat_t;
 
 beat_t to_beat(const Beat& beat) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sheen/packet.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "sheen/error.hpp"
@@ -47,10 +48,12 @@ std::array<int, hls::geometry_fields> geometry_fields(const TriangleWalk& w) {
     return {w.x, w.y, w.rows_above, w.rows_below, w.kappa, w.length, w.m, w.length_reload, w.m_below};
 }
 
-void append_geometry(std::vector<std::uint32_t>& words, const TriangleWalk& walk) {
+/// Fields of 12 bits, contiguous from bit 0.
+template <std::size_t count>
+void append_fields(std::vector<std::uint32_t>& words, const std::array<int, count>& fields) {
     std::uint64_t pending = 0;  // bits not yet written, from bit 0
     int bits = 0;
-    for (const int value : geometry_fields(walk)) {
+    for (const int value : fields) {
         pending |= static_cast<std::uint64_t>(static_cast<std::uint32_t>(value) & coordinate_mask) << bits;
         bits += hls::coordinate_bits;
         if (bits >= hls::word_bits) {
@@ -59,18 +62,23 @@ void append_geometry(std::vector<std::uint32_t>& words, const TriangleWalk& walk
             bits -= hls::word_bits;
         }
     }
-    words.push_back(static_cast<std::uint32_t>(pending));
+    if (bits > 0) words.push_back(static_cast<std::uint32_t>(pending));
+}
+
+void append_geometry(std::vector<std::uint32_t>& words, const TriangleWalk& walk) {
+    append_fields(words, geometry_fields(walk));
     for (const EdgePhase& edge : {walk.long_edge, walk.upper, walk.lower}) {
         words.push_back(edge.phase);
         words.push_back(edge.step);
     }
 }
 
-int geometry_field(const std::uint32_t* words, int index) {
+/// Field `index` of those that append_fields() put into `count` words.
+int packed_field(const std::uint32_t* words, int count, int index) {
     const int bit = index * hls::coordinate_bits;
     const int word = bit / hls::word_bits;
     const std::uint64_t low = words[word];
-    const std::uint64_t high = word + 1 < hls::geometry_words ? words[word + 1] : 0;
+    const std::uint64_t high = word + 1 < count ? words[word + 1] : 0;
     return static_cast<int>((low | high << hls::word_bits) >> bit % hls::word_bits & coordinate_mask);
 }
 
@@ -81,15 +89,15 @@ int sign_extended(int field) {
 
 TriangleWalk decode_geometry(const std::uint32_t* words) {
     TriangleWalk walk;
-    walk.x = geometry_field(words, 0);
-    walk.y = geometry_field(words, 1);
-    walk.rows_above = geometry_field(words, 2);
-    walk.rows_below = geometry_field(words, 3);
-    walk.kappa = sign_extended(geometry_field(words, 4));
-    walk.length = geometry_field(words, 5);
-    walk.m = sign_extended(geometry_field(words, 6));
-    walk.length_reload = geometry_field(words, 7);
-    walk.m_below = sign_extended(geometry_field(words, 8));
+    walk.x = packed_field(words, hls::geometry_words, 0);
+    walk.y = packed_field(words, hls::geometry_words, 1);
+    walk.rows_above = packed_field(words, hls::geometry_words, 2);
+    walk.rows_below = packed_field(words, hls::geometry_words, 3);
+    walk.kappa = sign_extended(packed_field(words, hls::geometry_words, 4));
+    walk.length = packed_field(words, hls::geometry_words, 5);
+    walk.m = sign_extended(packed_field(words, hls::geometry_words, 6));
+    walk.length_reload = packed_field(words, hls::geometry_words, 7);
+    walk.m_below = sign_extended(packed_field(words, hls::geometry_words, 8));
     const std::uint32_t* phase = words + hls::geometry_words;
     for (EdgePhase* edge : {&walk.long_edge, &walk.upper, &walk.lower}) {
         *edge = {phase[0], phase[1]};
@@ -125,6 +133,53 @@ void append_triangle(std::vector<std::uint32_t>& words, const TriangleSetup& set
     for (const ChannelWords& channel : setup.colour) append_channel(words, channel, channel_length(flags));
     for (const ChannelWords& channel : setup.log) append_channel(words, channel, channel_length(flags));
     if (setup.depth) append_channel(words, *setup.depth, hls::linear_words);
+}
+
+void append_material(std::vector<std::uint32_t>& words, const MaterialSetup& material) {
+    std::array<int, hls::material_fields> fields{};
+    std::copy(material.ambient.begin(), material.ambient.end(), fields.begin());
+    fields[hls::colour_channels] = material.power_channels;
+    for (const int field : fields) {
+        if (field < 0 || field >= 1 << hls::material_field_bits) {
+            throw Error("material field " + std::to_string(field) + ": expected 0…" +
+                        std::to_string((1 << hls::material_field_bits) - 1));
+        }
+    }
+    if (material.power_channels >= 1 << hls::max_log_channels) {
+        throw Error("material for power channels " + std::to_string(material.power_channels) + ": expected 0…" +
+                    std::to_string((1 << hls::max_log_channels) - 1) + ", a bit a log channel");
+    }
+    words.push_back(encode_header(hls::opcode_material, 0, hls::material_words));
+    append_fields(words, fields);
+}
+
+MaterialSetup decode_material(const std::uint32_t* words, std::size_t count) {
+    constexpr std::size_t expected = hls::material_words + 1;
+    if (count != expected || words[0] != encode_header(hls::opcode_material, 0, hls::material_words)) {
+        throw Error("packet of " + std::to_string(count) + " words, header " + (count > 0 ? hex(words[0]) : "none") +
+                    ": expected a material, " + std::to_string(expected) + " words, header " +
+                    hex(encode_header(hls::opcode_material, 0, hls::material_words)));
+    }
+    MaterialSetup material;
+    for (int k = 0; k < hls::colour_channels; ++k) {
+        material.ambient[static_cast<std::size_t>(k)] = packed_field(words + 1, hls::material_words, k);
+    }
+    material.power_channels = packed_field(words + 1, hls::material_words, hls::colour_channels);
+    return material;
+}
+
+void append_table(std::vector<std::uint32_t>& words, const std::vector<std::uint8_t>& entries) {
+    constexpr std::size_t expected = std::size_t{1} << hls::power_address_bits;
+    if (entries.size() != expected) {
+        throw Error("power table of " + std::to_string(entries.size()) + " entries, expected " +
+                    std::to_string(expected));
+    }
+    words.push_back(encode_header(hls::opcode_table, 0, hls::power_words));
+    for (std::size_t k = 0; k < expected; k += 4) {
+        words.push_back(static_cast<std::uint32_t>(entries[k]) | static_cast<std::uint32_t>(entries[k + 1]) << 8 |
+                        static_cast<std::uint32_t>(entries[k + 2]) << 16 |
+                        static_cast<std::uint32_t>(entries[k + 3]) << 24);
+    }
 }
 
 void append_fence(std::vector<std::uint32_t>& words, int tag) {

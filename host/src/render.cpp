@@ -58,7 +58,17 @@ Statistics statistics_of(const std::vector<std::uint32_t>& packets, const RunRes
 
 std::vector<std::uint32_t> picture_packets(const std::vector<TriangleSetup>& setups) {
     std::vector<std::uint32_t> words;
+    std::optional<MaterialSetup> material;
+    std::shared_ptr<const PowerEntries> table;
     for (const TriangleSetup& setup : setups) {
+        if (!setup.log.empty()) {
+            if (setup.table != nullptr && setup.table != table) {
+                if (table == nullptr || *setup.table != *table) append_table(words, *setup.table);
+                table = setup.table;
+            }
+            if (!material || !(setup.material == *material)) append_material(words, setup.material);
+            material = setup.material;
+        }
         append_triangle(words, setup);
     }
     append_fence(words);

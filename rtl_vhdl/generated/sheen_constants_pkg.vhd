@@ -50,12 +50,14 @@ package sheen_constants_pkg is
   constant material_words           : integer := 5;
   constant ambient_fraction_bits    : integer := 4;  -- u8.4
   constant tint_fraction_bits       : integer := 8;  -- u4.8
-  constant colour_sum_fraction_bits : integer := 2;  -- of diffuse + ambient + highlights
+  constant colour_sum_fraction_bits : integer := 4;  -- of diffuse + ambient + highlights
   constant exp2_address_bits        : integer := 6;  -- table of exp2_rom
   constant exp2_data_bits           : integer := 8;
   constant power_address_bits       : integer := 10;  -- table of power_rom
   constant power_integer_bits       : integer := 4;  -- its argument is 16*cos
+  constant power_word_bits          : integer := 8;  -- of a word's address: four entries a word
   constant power_words              : integer := 256;  -- of a table packet
+  constant highlight_latency        : integer := 4;  -- of highlight_stage, and one more for each log channel
   constant pixel_x_lsb              : integer := 0;  -- pixel word
   constant pixel_y_lsb              : integer := 12;
   constant pixel_depth_lsb          : integer := 24;

@@ -30,6 +30,8 @@ entity device_bench is
     words_per_beat : positive := 2;
     has_depth      : boolean  := true;
     has_quadratic  : boolean  := true;
+    log_channels   : natural  := 3;
+    has_power      : boolean  := true;
     slices         : positive := 2
   );
 end entity device_bench;
@@ -64,6 +66,8 @@ begin
       words_per_beat => words_per_beat,
       has_depth      => has_depth,
       has_quadratic  => has_quadratic,
+      log_channels   => log_channels,
+      has_power      => has_power,
       slices         => slices
     )
     port map (

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "support/random_triangles.hpp"
+#include "support/packet_stream.hpp"
 
 namespace sheen::test {
 
@@ -15,7 +15,7 @@ namespace sheen::test {
 inline std::vector<std::uint32_t> random_stream(Rng& rng, int packets) {
     std::vector<std::uint32_t> words;
     for (int i = 0; i < packets; ++i) {
-        switch (uniform(rng, 0, 9)) {
+        switch (uniform(rng, 0, 11)) {
             case 0:
                 append_fence(words, static_cast<int>(uniform(rng, 0, 255)));
                 break;
@@ -28,8 +28,21 @@ inline std::vector<std::uint32_t> random_stream(Rng& rng, int packets) {
                 for (std::uint32_t k = 0; k < length; ++k) words.push_back(random_word(rng));
                 break;
             }
+            case 3: {
+                const auto material = material_packet(rng);
+                words.insert(words.end(), material.begin(), material.end());
+                break;
+            }
+            case 4: {
+                const auto table = table_packet(rng);
+                words.insert(words.end(), table.begin(), table.end());
+                break;
+            }
             default:
-                append_triangle(words, random_setup(rng, 12));
+                TriangleSetup setup = random_setup(rng, 12);
+                setup.log.resize(static_cast<std::size_t>(uniform(rng, 0, hls::max_log_channels)));
+                for (ChannelWords& channel : setup.log) channel = random_log_channel(rng, setup.linear);
+                append_triangle(words, setup);
         }
     }
     return words;

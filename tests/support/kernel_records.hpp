@@ -11,12 +11,14 @@
 namespace sheen::test {
 
 /// The shape of a core as a type.
-template <int words_per_beat_, bool has_depth_, bool has_quadratic_>
+template <int words_per_beat_, bool has_depth_, bool has_quadratic_, int log_channels_ = 0, bool has_power_ = false>
 struct shape_t {
     static constexpr int words_per_beat = words_per_beat_;
     static constexpr bool has_depth = has_depth_;
     static constexpr bool has_quadratic = has_quadratic_;
-    static CoreShape value() { return {words_per_beat, has_depth, has_quadratic}; }
+    static constexpr int log_channels = log_channels_;
+    static constexpr bool has_power = has_power_;
+    static CoreShape value() { return {words_per_beat, has_depth, has_quadratic, log_channels, has_power}; }
 };
 
 template <int words_per_beat, typename Visit>
@@ -27,12 +29,22 @@ void for_each_shape_of_width(Visit visit) {
     visit(shape_t<words_per_beat, true, true>{});
 }
 
-/// Calls visit(shape_t) for each of the twelve shapes.
+/// Calls visit(shape_t) for shapes with log channels: every number of them, with and without power tables, every width.
+template <typename Visit>
+void for_each_lit_shape(Visit visit) {
+    visit(shape_t<1, true, true, 1, true>{});
+    visit(shape_t<2, false, true, 1, false>{});
+    visit(shape_t<2, true, true, 3, true>{});
+    visit(shape_t<4, true, true, 2, true>{});
+}
+
+/// Calls visit(shape_t) for each of the twelve plain shapes and those of for_each_lit_shape().
 template <typename Visit>
 void for_each_shape(Visit visit) {
     for_each_shape_of_width<1>(visit);
     for_each_shape_of_width<2>(visit);
     for_each_shape_of_width<4>(visit);
+    for_each_lit_shape(visit);
 }
 
 /// The geometry fields, each modulo 2^12.

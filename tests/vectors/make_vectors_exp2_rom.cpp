@@ -37,7 +37,7 @@ void write(const VectorOptions& options) {
 int main(int argc, char** argv) {
     return sheen::test::write_vectors(argc, argv, [](const VectorOptions& options) {
         write<6, 8, 0>(options);
-        write<6, 8, 2>(options);
+        write<6, 8, 4>(options);
         write<6, 10, 2>(options);
         write<7, 10, 4>(options);
     });

@@ -19,7 +19,7 @@ template <int address_bits, int fraction_bits>
 void write(const VectorOptions& options) {
     using unit = sheen::hls::power_rom<address_bits, fraction_bits>;
     struct Clock {
-        typename unit::write_t write;
+        sheen::hls::table_write_t write;
         sheen::hls::bit_t bank;
         typename unit::t_t t;
     };
@@ -68,7 +68,7 @@ void write(const VectorOptions& options) {
 int main(int argc, char** argv) {
     return sheen::test::write_vectors(argc, argv, [](const VectorOptions& options) {
         write<10, 0>(options);
-        write<10, 2>(options);
+        write<10, 4>(options);
         write<7, 2>(options);
     });
 }

@@ -20,7 +20,7 @@ using sheen::test::StreamPacket;
 using sheen::test::VectorFile;
 using sheen::test::VectorOptions;
 
-template <int words_per_beat, bool has_depth, bool has_quadratic>
+template <int words_per_beat, bool has_depth, bool has_quadratic, int log_channels = 0, bool has_power = false>
 class CoreVectors {
  public:
     explicit CoreVectors(const VectorOptions& options) : options_(options), rng_(options.seed) {}
@@ -30,7 +30,8 @@ class CoreVectors {
         const auto word = [](bool value) { return value ? "true" : "false"; };
         VectorFile file(options_, "shading_core",
                         "words_per_beat=" + std::to_string(words_per_beat) + ",has_depth=" + word(has_depth) +
-                            ",has_quadratic=" + word(has_quadratic));
+                            ",has_quadratic=" + word(has_quadratic) + ",log_channels=" + std::to_string(log_channels) +
+                            ",has_power=" + word(has_power));
         for (std::size_t k = 0; k < count(); ++k) {
             write_beat(file, k < beats_.size() ? beats_[k] : StreamBeat{}, k < beats_.size());
             file.word(k < words_.size(), 1);
@@ -43,14 +44,31 @@ class CoreVectors {
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(options_.count); }
     [[nodiscard]] std::size_t size() const { return std::max(beats_.size(), words_.size()); }
 
-    /// Appends the packet and its answer if that leaves room for a fence.
+    /// Appends the packet and its answer if that leaves room for a fence. Materials and tables answer nothing; they
+    /// stand before every packet that the kernel is asked for.
     bool append(const StreamPacket& packet) {
-        using config = sheen::hls::core_config<words_per_beat, has_depth, has_quadratic>;
-        const std::vector<std::uint64_t> answer = sheen::test::run_core<config>({packet}, rng_, 0, 1000000);
+        using config =
+            sheen::hls::core_config<words_per_beat, has_depth, has_quadratic, 32, 32, log_channels, has_power>;
+        std::vector<StreamPacket> packets = lighting_;
+        packets.push_back(packet);
+        const std::vector<std::uint64_t> answer = sheen::test::run_core<config>(packets, rng_, 0, 1000000);
         if (std::max(beats_.size() + packet.size(), words_.size() + answer.size()) >= count()) return false;
+        if (answer.empty() && !sheen::test::is_triangle(packet)) keep(packet);
         beats_.insert(beats_.end(), packet.begin(), packet.end());
         words_.insert(words_.end(), answer.begin(), answer.end());
         return true;
+    }
+
+    /// A material or a table takes the place of the one before.
+    void keep(const StreamPacket& packet) {
+        const auto opcode = [](const StreamPacket& p) { return sheen::decode_header(p[0].words[0]).opcode; };
+        for (StreamPacket& kept : lighting_) {
+            if (opcode(kept) == opcode(packet)) {
+                kept = packet;
+                return;
+            }
+        }
+        lighting_.push_back(packet);
     }
 
     /// A triangle's walk, or two rows of arbitrary fields, which may wrap round the image.
@@ -63,7 +81,7 @@ class CoreVectors {
     }
 
     void fill() {
-        const CoreShape shape{words_per_beat, has_depth, has_quadratic};
+        const CoreShape shape{words_per_beat, has_depth, has_quadratic, log_channels, has_power};
         for (bool fits = true; fits;) fits = append(sheen::test::random_packet(rng_, random_walk(), shape));
         const std::uint32_t fence = sheen::hls::opcode_fence << sheen::hls::header_opcode_lsb;
         while (size() < count()) {
@@ -79,6 +97,7 @@ class CoreVectors {
 
     VectorOptions options_;
     Rng rng_;
+    std::vector<StreamPacket> lighting_;  ///< the last material and the last table
     std::vector<StreamBeat> beats_;
     std::vector<std::uint64_t> words_;
 };
@@ -98,5 +117,9 @@ int main(int argc, char** argv) {
         write<1>(options);
         write<2>(options);
         write<4>(options);
+        CoreVectors<1, true, true, 1, true>(options).write();
+        CoreVectors<2, false, true, 1, false>(options).write();
+        CoreVectors<2, true, true, 3, true>(options).write();
+        CoreVectors<4, true, true, 2, true>(options).write();
     });
 }

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "comparison_text.hpp"
+#include "method_choices.hpp"
 #include "output.hpp"
 #include "scene_options.hpp"
 #include "sheen/compare.hpp"
@@ -27,9 +28,10 @@ std::string all_method_names() {
 }
 
 struct CompareOptions {
-    explicit CompareOptions(CLI::App& command) : scene(command), subdivide(command) {}
+    explicit CompareOptions(CLI::App& command) : scene(command), subdivide(command), choices(command) {}
     SceneOptions scene;
     SubdivideOptions subdivide;
+    MethodChoices choices;
     std::string methods = all_method_names();
     std::string devices = "reference,hls";
     std::string lights;
@@ -49,6 +51,7 @@ ComparisonRequest make_request(const CompareOptions& options) {
         require_drawing_name(name);
     }
     request.subdivision = options.subdivide.subdivision();
+    request.options = options.choices.options();
     if (!options.lights.empty()) {
         if (options.scene.has_lights()) {
             throw UsageError("--lights measured brings its own lights: leave --light out, or --lights");

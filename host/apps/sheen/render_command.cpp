@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "method_choices.hpp"
 #include "output.hpp"
 #include "scene_options.hpp"
 #include "sheen/compare.hpp"
@@ -19,9 +20,10 @@ namespace {
 
 /// What the user asked for.
 struct RenderOptions {
-    explicit RenderOptions(CLI::App& command) : scene(command), subdivide(command) {}
+    explicit RenderOptions(CLI::App& command) : scene(command), subdivide(command), choices(command) {}
     SceneOptions scene;
     SubdivideOptions subdivide;
+    MethodChoices choices;
     std::string method = "quadratic";
     std::string device = "hls";
     std::string image;
@@ -38,14 +40,15 @@ struct Result {
     std::vector<std::uint64_t> words;
 };
 
-Result draw_with_reference(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles) {
-    const ReferenceImage drawn = render_reference(method, scene, triangles);
+Result draw_with_reference(Method method, const MethodOptions& choices, const Scene& scene,
+                           const std::vector<ScreenTriangle>& triangles) {
+    const ReferenceImage drawn = render_reference(method, scene, triangles, choices);
     return {drawn.image(), Statistics{drawn.pixels, drawn.triangles, std::nullopt, std::nullopt}, {}, {}};
 }
 
-Result draw_with_device(Method method, const Scene& scene, const std::vector<ScreenTriangle>& triangles,
-                        Device& device) {
-    const std::vector<TriangleSetup> setups = make_setups(method, scene, triangles);
+Result draw_with_device(Method method, const MethodOptions& choices, const Scene& scene,
+                        const std::vector<ScreenTriangle>& triangles, Device& device) {
+    const std::vector<TriangleSetup> setups = make_setups(method, scene, triangles, choices);
     if (const std::optional<std::string> reason = why_incapable(query_capabilities(device), setups)) {
         throw Error(fmt::format("{} on {}: {}", to_string(method), device.name(), *reason));
     }
@@ -78,7 +81,9 @@ void check(const RenderOptions& options, Method method) {
 /// The triangles to draw, split where the user asked for it.
 std::vector<ScreenTriangle> screen_triangles(const RenderOptions& options, Method method, const Scene& scene) {
     const std::optional<Subdivision> subdivision = options.subdivide.subdivision();
-    return subdivision ? subdivide(method, {}, scene, project(scene, Uncovered::keep), *subdivision) : project(scene);
+    return subdivision
+               ? subdivide(method, options.choices.options(), scene, project(scene, Uncovered::keep), *subdivision)
+               : project(scene);
 }
 
 std::string summary(const RenderOptions& options, const Statistics& statistics) {
@@ -109,9 +114,10 @@ void render(const RenderOptions& options) {
         progress.show(1, steps, "projecting");
         const std::vector<ScreenTriangle> triangles = screen_triangles(options, method, scene);
         progress.show(2, steps, fmt::format("{} on {}", options.method, options.device));
-        result = options.device == reference_name
-                     ? draw_with_reference(method, scene, triangles)
-                     : draw_with_device(method, scene, triangles, *make_device(options.device));
+        result =
+            options.device == reference_name
+                ? draw_with_reference(method, options.choices.options(), scene, triangles)
+                : draw_with_device(method, options.choices.options(), scene, triangles, *make_device(options.device));
     }
     if (!options.packets.empty()) {
         write_packet_file(options.packets, result.packets);

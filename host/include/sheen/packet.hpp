@@ -4,6 +4,7 @@
 /// as files.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,6 +16,13 @@ namespace sheen {
 
 /// Appends one triangle packet (header and payload).
 void append_triangle(std::vector<std::uint32_t>& words, const TriangleSetup& setup);
+/// Appends a material packet. \throws Error when a field is out of range.
+void append_material(std::vector<std::uint32_t>& words, const MaterialSetup& material);
+/// Reads a material packet back. `words` starts at the header. \throws Error when it isn't one.
+MaterialSetup decode_material(const std::uint32_t* words, std::size_t count);
+/// Appends a table packet: what the power tables hold from then on. \throws Error unless there are 1024 entries.
+void append_table(std::vector<std::uint32_t>& words, const std::vector<std::uint8_t>& entries);
+
 /// Appends a fence packet; its header comes back in the echo. `tag` (0…255) travels in the flags.
 void append_fence(std::vector<std::uint32_t>& words, int tag = 0);
 /// Appends a query packet.

@@ -27,13 +27,14 @@ constexpr exp2_table_t<address_bits> make_exp2_table() {
     static_assert(address_bits >= 1 && address_bits <= 10, "an octave has 2 to 1024 bins: 1 <= address_bits <= 10");
     static_assert(data_bits >= 8 && data_bits <= 12, "an entry has 8 <= data_bits <= 12");
     constexpr double ln_2 = 0.69314718055994530942;
-    constexpr std::uint16_t greatest = (1U << data_bits) - 1;
+    constexpr int greatest = (1U << data_bits) - 1;
     exp2_table_t<address_bits> table{};
     for (std::size_t k = 0; k < table.size(); ++k) {
         const double octaves = (static_cast<double>(k) + 0.5) / (1 << address_bits);
         const double exact = (1 << data_bits) * table_math::exponential(-octaves * ln_2);
-        const auto nearest = static_cast<std::uint16_t>(exact + 0.5);
-        table[k] = nearest < greatest ? nearest : greatest;
+        const int below = static_cast<int>(exact);
+        const int nearest = exact - below < 0.5 ? below : below + 1;
+        table[k] = static_cast<std::uint16_t>(nearest < greatest ? nearest : greatest);
     }
     return table;
 }

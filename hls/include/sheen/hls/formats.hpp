@@ -94,14 +94,19 @@ inline constexpr int ambient_fraction_bits = 4;
 /// Tint: unsigned <12,4>, added to z.
 inline constexpr int tint_fraction_bits = 8;
 /// Fraction bits of the sum of diffuse, ambient and highlights, before it is cut to 8 bits.
-inline constexpr int colour_sum_fraction_bits = 2;
+inline constexpr int colour_sum_fraction_bits = 4;
 /// The table of exp2_rom: one octave of 2^address_bits entries.
 inline constexpr int exp2_address_bits = 6;
 inline constexpr int exp2_data_bits = 8;
 /// The table of power_rom: 2^address_bits entries of 8 bits; the paper's 1 KB. Its argument is 16·cos.
 inline constexpr int power_address_bits = 10;
 inline constexpr int power_integer_bits = 4;
-inline constexpr int power_words = (1 << power_address_bits) / 4;
+/// Four entries a word; a table packet holds 2^power_word_bits words.
+inline constexpr int power_word_bits = power_address_bits - 2;
+inline constexpr int power_words = 1 << power_word_bits;
+
+/// Clocks of highlight_stage, and one more for each log channel.
+inline constexpr int highlight_latency = 4;
 
 // ---- Pixel word, from bit 0 up --------------------------------------------------------------------------------
 inline constexpr int pixel_x_lsb = 0;

@@ -36,14 +36,6 @@ struct power_rom {
     using lane_t = ac_int<lane_bits, false>;
     using value_t = ac_int<component_bits + fraction_bits, false>;
 
-    /// A word on its way into the bank that is not read.
-    struct write_t {
-        bit_t valid = 0;
-        bit_t bank = 0;
-        word_address_t address = 0;
-        word_t data = 0;
-    };
-
     struct state_t {
         bank_address_t address = 0;
         lane_t address_lane = 0;
@@ -76,7 +68,7 @@ struct power_rom {
     }
 
     /// Where a word goes in a memory of both banks.
-    static bank_address_t place(const write_t& write) {
+    static bank_address_t place(const table_write_t& write) {
         bank_address_t address = write.address;
         address.set_slc(word_address_bits, write.bank);
         return address;

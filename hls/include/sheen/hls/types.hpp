@@ -16,8 +16,10 @@ using coordinate_t = ac_int<coordinate_bits, false>;
 using pixel_word_t = ac_int<pixel_bits, false>;
 using component_t = ac_int<component_bits, false>;
 
-/// Channel values, in 8-bit steps (colour) and 16-bit steps (depth); all sums wrap, as contract 1 wants.
+/// Channel values, in 8-bit steps (colour), octaves or 16ths of a cosine (log) and 16-bit steps (depth); all sums wrap,
+/// as contract 1 wants.
 using colour_value_t = ac_fixed<word_bits, colour_integer_bits, true, AC_TRN, AC_WRAP>;
+using log_value_t = ac_fixed<word_bits, log_integer_bits, true, AC_TRN, AC_WRAP>;
 using depth_value_t = ac_fixed<word_bits, depth_integer_bits, false, AC_TRN, AC_WRAP>;
 
 /// What the packet decoder hands over per job: a triangle, or a message that keeps its place between triangles.
@@ -27,8 +29,9 @@ struct job_t {
     bit_t leftward = 0;  ///< triangle flags
     bit_t linear = 0;
     bit_t depth = 0;
-    ac_int<2, false> code = 0;  ///< message: error code, 0 for the answer to a fence or a query
-    word_t header = 0;          ///< message: the header it answers
+    ac_int<flag_log_channels_bits, false> log = 0;  ///< number of log channels
+    ac_int<2, false> code = 0;                      ///< message: error code, 0 for the answer to a fence or a query
+    word_t header = 0;                              ///< message: the header it answers
 };
 
 /// The geometry fields of a triangle packet.
@@ -67,11 +70,26 @@ struct span_command_t {
     bit_t step = 0;   ///< I += D, D += h
 };
 
+/// A word of a power table on its way into the bank that is not read: four entries u8.0, the first in the low bits.
+struct table_write_t {
+    bit_t valid = 0;
+    bit_t bank = 0;
+    ac_int<power_word_bits, false> address = 0;
+    word_t data = 0;
+};
+
+/// What a material packet says, cut to what the datapath keeps.
+struct material_t {
+    ac_int<component_bits + colour_sum_fraction_bits, false> red = 0, green = 0, blue = 0;  ///< ambient, u8.4
+    ac_int<max_log_channels, false> power = 0;  ///< bit k: log channel k is a cosine, for power_rom
+};
+
 /// A pixel position or a message word on its way to the colour stage.
 struct fragment_t {
     bit_t valid = 0;
     bit_t message = 0;
-    bit_t query = 0;  ///< message: word x of a query reply
+    bit_t query = 0;                                ///< message: word x of a query reply
+    ac_int<flag_log_channels_bits, false> log = 0;  ///< pixel: log channels of its triangle
     coordinate_t x = 0, y = 0;
     coordinate_t tail = 0;  ///< message: {opcode, 00, code}
 };
