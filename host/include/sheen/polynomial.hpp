@@ -47,7 +47,7 @@ Polynomial fit_linear(const std::array<SnappedPoint, 3>& triangle, const std::ar
 
 /// The quadratic with the given values at vertices 0, 1, 2 and at the midpoints of edges 01, 12, 20 (paper
 /// `quadratic`, section 3), about `origin`, which lies in the triangle's bounding box. Solved in barycentric form: one
-/// division, by the doubled area, so that no edge is special. The printed T₃, T₄, T₅ are singular when edge 12 of the
+/// division, by the doubled area, so that no edge is special. The printed T₃ is singular when edge 12 of the
 /// paper is horizontal. A constant, the mean of the values, when the triangle has no area.
 ///
 /// With values within ±306 the result is at most 2^−21 off the exact quadratic anywhere in the triangle, whatever its
