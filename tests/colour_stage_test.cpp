@@ -53,12 +53,12 @@ std::optional<std::uint64_t> word_of(const fragment_t& fragment, const typename 
     return state.word.to_uint64();
 }
 
-fragment_t pixel_at(int x, int y) { return {1, 0, 0, x, y, 0}; }
+fragment_t pixel_at(int x, int y) { return {1, 0, 0, 0, x, y, 0}; }
 
 /// A message as edge_walker sends it: the header cut into x, y and tail.
 fragment_t message_fragment(std::uint32_t header, unsigned code) {
     const std::uint32_t opcode = header >> header_opcode_lsb;
-    return {1, 1, 0, header & 4095U, header >> coordinate_bits & 4095U, opcode << 4 | code};
+    return {1, 1, 0, 0, header & 4095U, header >> coordinate_bits & 4095U, opcode << 4 | code};
 }
 
 template <typename colour_t>
@@ -130,7 +130,7 @@ RC_GTEST_PROP(colour_stage, errors_and_fence_echoes_bring_their_header_back, (st
 RC_GTEST_PROP(colour_stage, a_query_is_answered_by_the_cores_description,
               (std::array<std::uint32_t, query_reply_words> data, std::uint32_t y)) {
     for (unsigned index = 0; index < data.size(); ++index) {
-        const auto word = word_of({1, 1, 1, index, y, query_reply_words - index}, {}, describe(data));
+        const auto word = word_of({1, 1, 1, 0, index, y, query_reply_words - index}, {}, describe(data));
         RC_ASSERT(word.has_value());
         RC_ASSERT(*word ==
                   (std::uint64_t{data[index]} << 32 | std::uint64_t{index} << 24 | message_query << 12 | 4095U));

@@ -24,6 +24,7 @@ using sheen::test::HighlightSource;
 using sheen::test::Lighting;
 using sheen::test::log_channels_of;
 using sheen::test::message_of;
+using sheen::test::parts;
 using sheen::test::Rng;
 
 constexpr std::uint64_t seed = 20261122U;
@@ -140,17 +141,17 @@ TEST(highlight_stage, a_triangle_without_log_channels_passes_at_every_colour) {
     for_each_stage([](auto configured) {
         using stage = decltype(configured);
         material_t material;
-        material.red = material.green = material.blue = 1023;
-        for (int colour = -2048; colour < 2048; ++colour) {
+        material.red = material.green = material.blue = 256 * parts - 1;
+        for (int colour = -512 * parts; colour < 512 * parts; ++colour) {
             HighlightInput<stage> input;
             input.fragment.valid = 1;
             input.values.red = colour;
             input.values.green = -1 - colour;
             input.values.blue = colour ^ 5;
             const typename stage::state_t state = pixel_of<stage>(input, material);
-            ASSERT_EQ(state.red.to_int(), std::max(colour, 0) / 4);
-            ASSERT_EQ(state.green.to_int(), std::max(-1 - colour, 0) / 4);
-            ASSERT_EQ(state.blue.to_int(), std::max(colour ^ 5, 0) / 4);
+            ASSERT_EQ(state.red.to_int(), std::max(colour, 0) / parts);
+            ASSERT_EQ(state.green.to_int(), std::max(-1 - colour, 0) / parts);
+            ASSERT_EQ(state.blue.to_int(), std::max(colour ^ 5, 0) / parts);
         }
     });
 }
@@ -159,20 +160,20 @@ TEST(highlight_stage, the_greatest_sum_saturates_and_a_dark_side_keeps_ambient_a
     for_each_stage([](auto configured) {
         using stage = decltype(configured);
         material_t material;
-        material.red = material.green = 1023;
+        material.red = material.green = 256 * parts - 1;
         HighlightInput<stage> input;
         input.fragment.valid = 1;
         input.fragment.log = log_channels_of<stage>;
         for (auto& log : input.values.log) log = 3 * 64;  // 2^(8 − 3), rounded at the centre of its bin
-        input.values.red = 2047;
-        input.values.green = -2048;
+        input.values.red = 512 * parts - 1;
+        input.values.green = -512 * parts;
         input.values.blue = -1;
         const typename stage::state_t state = pixel_of<stage>(input, material);
-        const int highlight = 4 * 255 / 8;
+        const int highlight = parts * 255 / 8;
         EXPECT_GE(state.red.to_int(), 256) << "colour_stage makes 255 of it";
         EXPECT_LT(state.red.to_int(), 512) << "it is not negative";
-        EXPECT_EQ(state.green.to_int(), (1023 + log_channels_of<stage> * highlight) / 4);
-        EXPECT_EQ(state.blue.to_int(), log_channels_of<stage> * highlight / 4) << "no ambient, no diffuse";
+        EXPECT_EQ(state.green.to_int(), (256 * parts - 1 + log_channels_of<stage> * highlight) / parts);
+        EXPECT_EQ(state.blue.to_int(), log_channels_of<stage> * highlight / parts) << "no ambient, no diffuse";
     });
 }
 

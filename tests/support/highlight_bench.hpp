@@ -59,10 +59,17 @@ class HighlightBench {
     }();
 };
 
+/// Of an 8-bit step, in the stage's sums.
+inline constexpr int parts = 1 << hls::colour_sum_fraction_bits;
+/// The same of an ambient field's unit, 1/16 step.
+inline constexpr unsigned field_units = 16 / parts;
+
 /// Any diffuse colours, and log channels mostly where highlights show.
 template <typename stage>
 typename stage::values_t random_values(Rng& rng) {
-    const auto diffuse = [&] { return static_cast<int>(uniform(rng, -2048, 2047)) >> uniform(rng, 0, 2); };
+    const auto diffuse = [&] {
+        return static_cast<int>(uniform(rng, -512 * parts, 512 * parts - 1)) >> uniform(rng, 0, 2);
+    };
     typename stage::values_t values;
     values.red = diffuse();
     values.green = diffuse();
@@ -154,9 +161,9 @@ class HighlightSource {
         material_ = material_packet(rng_);
         if (!has_power_of<stage>) material_[2] &= ~0x70U;  // a core without power tables refuses such a material
         const std::uint64_t fields = material_[1] | static_cast<std::uint64_t>(material_[2]) << 32;
-        pending_.red = (fields & 0xfffU) / 4;
-        pending_.green = (fields >> 12 & 0xfffU) / 4;
-        pending_.blue = (fields >> 24 & 0xfffU) / 4;
+        pending_.red = (fields & 0xfffU) / field_units;
+        pending_.green = (fields >> 12 & 0xfffU) / field_units;
+        pending_.blue = (fields >> 24 & 0xfffU) / field_units;
         pending_.power = fields >> 36 & 7U;
         material_waits_ = uniform(rng_, 0, 1) == 0;
     }
