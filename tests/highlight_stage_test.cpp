@@ -53,7 +53,7 @@ std::array<int, 3> expected_components(const typename stage::values_t& values, i
         highlights += lighting.highlight(static_cast<std::size_t>(k), channel_word(values.log[k].to_int(), 18));
     }
     const auto component = [&](std::size_t c, int diffuse) {
-        const std::uint32_t word = channel_word(diffuse, 20);
+        const std::uint32_t word = channel_word(diffuse, colour_fraction_bits - colour_sum_fraction_bits);
         return log_channels == 0 ? sheen::test::component(word) : lighting.component(c, word, highlights);
     };
     return {component(0, values.red.to_int()), component(1, values.green.to_int()), component(2, values.blue.to_int())};
