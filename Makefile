@@ -18,6 +18,7 @@ BOARD    ?=
 SEEDS    ?= 5
 UPDATE   ?= 0
 SANITIZE ?= 0
+TIDY     ?=
 ifeq ($(origin CXX),default)
 CXX := g++
 endif
@@ -87,6 +88,7 @@ help:
 	@echo "  BOARD         board of make fpga: ulx3s, hx8k_breakout or icebreaker; default = none, cores are built"
 	@echo "  SEEDS         runs of placement and routing a core and part; default = $(SEEDS)"
 	@echo "  SANITIZE      1: test under the address and undefined-behaviour sanitizers; default = $(SANITIZE)"
+	@echo "  TIDY          all: clang-tidy looks at the tests, too, not at host and hls alone; default = none"
 	@echo "  AC_TYPES      folder of ac_fixed.h; default = $(AC_TYPES)"
 	@echo "  CXX           C++ compiler; default = $(CXX)"
 	@echo "  CLANG         clang++ of the synthesizability check; default = $(CLANG)"
@@ -235,7 +237,7 @@ lint-headers: $(SETUP)
 
 lint-tidy: $(SETUP)
 	@$(CONFIGURE) -B build/lint/tidy -DAC_TYPES_OLD=
-	@scripts/lint_tidy.sh build/lint/tidy
+	@scripts/lint_tidy.sh build/lint/tidy $(TIDY)
 
 ##### Cleaning
 
