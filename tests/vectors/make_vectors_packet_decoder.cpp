@@ -44,7 +44,9 @@ void write_vector(VectorFile& file, const typename decoder::beat_t& beat, bit_t 
     for (const bit_t& bit : {job.valid, job.message, job.leftward, job.linear, job.depth}) file.word(bit.to_int(), 1);
     file.word(job.log.to_int(), 2).word(job.code.to_int(), 2).word(job.header.to_int64(), word_bits);
     const material_t& material = state.material;
-    for (const auto& ambient : {material.red, material.green, material.blue}) file.word(ambient.to_int(), 10);
+    for (const auto& ambient : {material.red, material.green, material.blue}) {
+        file.word(ambient.to_int(), component_bits + colour_sum_fraction_bits);
+    }
     file.word(material.power.to_int(), 3);
     const table_write_t& write = state.table_write;
     file.word(write.valid.to_int(), 1).word(write.bank.to_int(), 1).word(write.address.to_int(), power_word_bits);
