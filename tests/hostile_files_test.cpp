@@ -105,6 +105,18 @@ TEST_F(HostileFiles, OnlyKnownExtensionsAreRead) {
     EXPECT_EQ(fault("plain", samples()[0].bytes), "accepted") << "no extension: OBJ";
 }
 
+TEST_F(HostileFiles, ManyFacesOfManyCornersAreRefusedBeforeTheyAreDivided) {
+    constexpr int corners = 4096;
+    std::string vertices;
+    std::string face = "f";
+    for (int k = 0; k < corners; ++k) {
+        vertices += "v " + std::to_string(k % 64) + " " + std::to_string(k / 64) + " 0\n";
+        face += " " + std::to_string(k + 1);
+    }
+    for (int faces = 0; faces < 20; ++faces) vertices += face + "\n";
+    expect_message(fault("large.obj", vertices), "large.obj:4099: ", "faces of at most 16");
+}
+
 TEST_F(HostileFiles, WhatIsNoFileIsNotWaitedFor) {
     for (const Sample& sample : samples()) {
         const std::string name = "x" + sample.name;

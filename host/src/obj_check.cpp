@@ -157,6 +157,12 @@ class Checker {
         if (corners < min_corners || corners > max_corners) {
             fail(words[0], fmt::format("has {} corners; a face needs {} to {}", corners, min_corners, max_corners));
         }
+        if (!budget_.take(corners)) {
+            fail(words[0],
+                 fmt::format("has {} corners, too many with the large faces before it; divide them into faces "
+                             "of at most {}",
+                             corners, TriangulationBudget::free_corners));
+        }
         std::string& faces = groups_[group_].faces;
         faces += 'f';
         for (std::size_t corner = 1; corner <= corners; ++corner) {
@@ -220,6 +226,7 @@ class Checker {
     std::vector<Group> groups_{1};  ///< the first: faces before any usemtl
     std::map<std::string, std::size_t> group_index_;
     std::size_t group_ = 0;
+    TriangulationBudget budget_;
     bool has_materials_ = false;
     std::size_t faces_ = 0;
     std::string plain_;

@@ -23,6 +23,20 @@ struct PlainMesh {
 constexpr std::size_t min_corners = 3;
 constexpr std::size_t max_corners = 4096;
 
+/// What triangulation may cost in all: seconds. Faces of up to free_corners corners cost nothing here.
+class TriangulationBudget {
+ public:
+    static constexpr std::size_t free_corners = 16;
+    /// Takes a face's share, the square of its corners; false when too little is left.
+    bool take(std::size_t corners) {
+        if (corners > free_corners) spent_ += corners * corners;
+        return spent_ <= std::size_t{1} << 25;
+    }
+
+ private:
+    std::size_t spent_ = 0;
+};
+
 /// The most materials that the triangles of one file have.
 constexpr std::size_t max_materials = 4096;
 

@@ -134,6 +134,11 @@ class Checker {
         if (!(corners >= double{min_corners} && corners <= double{max_corners}) || corners != std::floor(corners)) {
             body_->fail(fmt::format("is no number of corners; a face needs {} to {}", min_corners, max_corners));
         }
+        if (!budget_.take(static_cast<std::size_t>(corners))) {
+            body_->fail(
+                fmt::format("corners are too many with the large faces before; divide them into faces of at most {}",
+                            TriangulationBudget::free_corners));
+        }
         append_u32(faces_, static_cast<std::uint32_t>(corners));
         for (std::size_t corner = 0; corner < static_cast<std::size_t>(corners); ++corner) {
             const double index = body_->next(property.type);
@@ -182,6 +187,7 @@ class Checker {
     std::size_t vertex_count_ = 0;
     bool has_normals_ = false;
     std::string vertices_;
+    TriangulationBudget budget_;
     std::string faces_;
 };
 
